@@ -14,10 +14,10 @@ namespace hazumi {
 
 namespace {
 
-constexpr int kSamples = 16;      // of the gap, between two frames
-constexpr int kHalvings = 50;     // of the time between two samples
-constexpr double kStill = 1e-9;   // moves less than this are none [m]
-constexpr double kTouch = 1e-12;  // so near is touching: as exact as the gap is [m]
+constexpr int kSamples = 16;            // of the gap, between two frames
+constexpr int kHalvings = 50;           // of the time between two samples
+constexpr double kStill = 1e-9;         // moves less than this are none [m]
+constexpr double kTouchingGap = 1e-12;  // so near is touching: as exact as the gap is [m]
 
 struct Gap {
   double value = 0.0;  // [m]
@@ -44,7 +44,7 @@ std::optional<ObjectLanding> FirstTouchOn(const FlightPath& path, double T, doub
   double clear = 0.0;
   for (int i = 0; i <= kSamples; ++i) {
     double touching = T * i / kSamples;
-    if (GapAt(animation, path.At(touching), radius).value > kTouch) {
+    if (GapAt(animation, path.At(touching), radius).value > kTouchingGap) {
       clear = touching;
       continue;
     }
@@ -52,7 +52,7 @@ std::optional<ObjectLanding> FirstTouchOn(const FlightPath& path, double T, doub
     if (i == 0) continue;
     for (int k = 0; k < kHalvings; ++k) {
       const double middle = 0.5 * (clear + touching);
-      (GapAt(animation, path.At(middle), radius).value > kTouch ? clear : touching) = middle;
+      (GapAt(animation, path.At(middle), radius).value > kTouchingGap ? clear : touching) = middle;
     }
     const Vec3 position = path.At(touching);
     return ObjectLanding{position, touching, GapAt(animation, position, radius).obstacle->name};

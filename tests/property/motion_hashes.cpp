@@ -1,15 +1,20 @@
 // Hashes of baked motions, for scripts/same_motion. Prints a line for each: its name, a hash of all
 // bits of the motion, and one of its reports, events and warnings.
 //   motion_hashes FILE.kfa ...
+//   motion_hashes --captures FILE.bvh ...    captured motion, a limb of it limp for a third
 //   motion_hashes --working FIRST COUNT      random regions with drives, forces, contacts (...)
 //   motion_hashes --falls FIRST COUNT        random falls, of which every second one meets balls
 
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
 #include <string>
 
 #include "engine/bake/bake.h"
+#include "engine/exchange/bvh/bvh_read.h"
+#include "engine/exchange/import/import_project.h"
 #include "engine/project/compile.h"
 #include "engine/project/project_reader.h"
 #include "tests/property/random_fall.h"
@@ -117,7 +122,57 @@ Animation FallOf(int seed) {
   return animation;
 }
 
+// Up to nine hinges of the longest chain of a figure, from its end.
+std::vector<JointRef> EndOfLongestChain(const Figure& figure) {
+  int deepest = 0, most = 0;
+  for (int j = 0; j < figure.num_joints(); ++j) {
+    int depth = 0;
+    for (JointIndex at(j); at.is_valid(); at = figure.joint(at).parent) ++depth;
+    if (depth > most) deepest = j;
+    most = std::max(most, depth);
+  }
+  std::vector<JointRef> joints;
+  for (JointIndex at(deepest); at.is_valid() && joints.size() < 9; at = figure.joint(at).parent) {
+    joints.push_back({figure.joint(at).name, false, {}});
+  }
+  return joints;
+}
+
+// The project of a capture whose longest chain is limp for its middle third.
+Result<Project> CaptureWithRegion(const std::string& file) {
+  std::ifstream in(file, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  const Result<Character> character = ReadBvh(text, file);
+  if (!character.ok()) return character.error();
+  Result<Imported> imported = ImportProject(character.value(), {});
+  if (!imported.ok()) return imported.error();
+  Project& project = imported.value().project;
+  const Result<Compiled> compiled = CompileAnimation(project);
+  if (!compiled.ok()) return compiled.error();
+  const Animation& animation = compiled.value().animation;
+  const int length = animation.last_frame - animation.first_frame;
+  ProjectRegion region;
+  region.name = "limp";
+  region.first_frame = animation.first_frame + length / 3;
+  region.last_frame = animation.first_frame + 2 * length / 3;
+  region.joints = EndOfLongestChain(*animation.figure);
+  region.friction.default_factor = 0.95;
+  if (length >= 3) project.regions.push_back(std::move(region));
+  return std::move(project);
+}
+
+void PrintProject(const std::string& name, const Result<Project>& project) {
+  const Result<Compiled> compiled =
+      project.ok() ? CompileAnimation(project.value()) : Result<Compiled>(project.error());
+  if (compiled.ok()) return Print(name, compiled.value().animation);
+  std::printf("%s cannot be read\n", name.c_str());
+}
+
 int Run(int argc, char** argv) {
+  if (argc > 1 && std::string(argv[1]) == "--captures") {
+    for (int i = 2; i < argc; ++i) PrintProject(argv[i], CaptureWithRegion(argv[i]));
+    return 0;
+  }
   const std::string kind = argc == 4 ? argv[1] : "";
   if (kind == "--working" || kind == "--falls") {
     const int first = std::atoi(argv[2]), end = first + std::atoi(argv[3]);
@@ -128,16 +183,7 @@ int Run(int argc, char** argv) {
     }
     return 0;
   }
-  for (int i = 1; i < argc; ++i) {
-    const Result<Project> project = LoadProject(argv[i]);
-    const Result<Compiled> compiled =
-        project.ok() ? CompileAnimation(project.value()) : Result<Compiled>(project.error());
-    if (compiled.ok()) {
-      Print(argv[i], compiled.value().animation);
-    } else {
-      std::printf("%s cannot be read\n", argv[i]);
-    }
-  }
+  for (int i = 1; i < argc; ++i) PrintProject(argv[i], LoadProject(argv[i]));
   return 0;
 }
 
