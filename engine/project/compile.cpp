@@ -5,11 +5,9 @@
 #include <iterator>
 
 #include "engine/figure/figure_builder.h"
-#include "engine/project/checks/compile_checks.h"
+#include "engine/project/checks/animation_checks.h"
 #include "engine/project/checks/constraint_checks.h"
-#include "engine/project/checks/contact_checks.h"
 #include "engine/project/checks/document_checks.h"
-#include "engine/project/checks/force_checks.h"
 #include "engine/project/checks/joint_names.h"
 #include "engine/project/compile_constraints.h"
 #include "engine/project/fields/project_fields.h"

@@ -1,6 +1,6 @@
 #include "engine/project/pose_file.h"
 
-#include "engine/project/checks/unique_names.h"
+#include "engine/project/checks/field_checks.h"
 #include "engine/project/json/described_file.h"
 #include "engine/project/json/field_writer.h"
 #include "engine/project/json/text_file.h"

@@ -21,7 +21,7 @@
 #include <string>
 
 #include "engine/bake/bake.h"
-#include "engine/project/checks/compile_checks.h"
+#include "engine/project/checks/animation_checks.h"
 #include "engine/spatial/degrees.h"
 #include "tests/property/random_region.h"
 #include "tests/property/random_working_region.h"

@@ -6,9 +6,9 @@
 #include <string>
 
 #include "engine/base/named.h"
-#include "engine/project/checks/hold_checks.h"
+#include "engine/project/checks/animation_checks.h"
+#include "engine/project/checks/driven_frames.h"
 #include "engine/project/checks/joint_names.h"
-#include "engine/project/checks/moved_points.h"
 #include "engine/project/json/did_you_mean.h"
 
 namespace hazumi {

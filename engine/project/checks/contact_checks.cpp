@@ -1,9 +1,7 @@
-#include "engine/project/checks/contact_checks.h"
-
 #include <optional>
 #include <string>
 
-#include "engine/project/checks/hold_checks.h"
+#include "engine/project/checks/animation_checks.h"
 #include "engine/project/checks/spans.h"
 
 namespace hazumi {

@@ -4,9 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/project/checks/drive_checks.h"
 #include "engine/project/checks/field_checker.h"
-#include "engine/project/checks/unique_names.h"
+#include "engine/project/checks/field_checks.h"
 #include "engine/timeline/solver_rules.h"
 
 namespace hazumi {

@@ -1,10 +1,10 @@
-#include "engine/project/checks/drive_checks.h"
-
 #include <algorithm>
 #include <map>
 
 #include "engine/base/text.h"
-#include "engine/project/checks/hold_checks.h"
+#include "engine/project/checks/animation_checks.h"
+#include "engine/project/checks/document_checks.h"
+#include "engine/project/checks/joint_names.h"
 #include "engine/project/fields/curve_fields.h"
 #include "engine/timeline/curve_range.h"
 

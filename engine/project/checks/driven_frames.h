@@ -1,6 +1,7 @@
 #pragma once
 
-// Internal. Which joint is driven by a region at which frames, and who drives it.
+// Internal. Which joint is driven by a region at which frames, who drives it, and which bodies
+// regions may move.
 
 #include <optional>
 #include <string>
@@ -41,5 +42,9 @@ class DrivenFrames {
   std::vector<SpanSet> joints_, keyed_;
   SpanSet root_;
 };
+
+// Whether a region may move a joint's body in some of these frames; no joint: the root's.
+bool MayMove(const DynamicsRegion& region, std::optional<GroupIndex> joint, Span span,
+             const Animation& animation);
 
 }  // namespace hazumi

@@ -1,11 +1,9 @@
-#include "engine/project/checks/force_checks.h"
-
 #include <algorithm>
 #include <optional>
 #include <string>
 
-#include "engine/project/checks/hold_checks.h"
-#include "engine/project/checks/moved_points.h"
+#include "engine/project/checks/animation_checks.h"
+#include "engine/project/checks/driven_frames.h"
 #include "engine/project/checks/spans.h"
 
 namespace hazumi {

@@ -1,8 +1,8 @@
-#include "engine/project/checks/hold_checks.h"
-
 #include <algorithm>
 #include <map>
 #include <utility>
+
+#include "engine/project/checks/animation_checks.h"
 
 // A hold needs all joints between the root and it, and moves some of them. By joint, sets of frames
 // say when it is needed, moved, or needed and driven by a region, of all holds so far. Those that

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "engine/project/checks/constraint_checks.h"
-#include "engine/project/checks/drive_checks.h"
+#include "engine/project/checks/document_checks.h"
 #include "engine/project/json/did_you_mean.h"
 
 namespace hazumi {

@@ -6,7 +6,7 @@
 #include <ctime>
 #include <set>
 
-#include "engine/project/checks/compile_checks.h"
+#include "engine/project/checks/animation_checks.h"
 #include "engine/project/compile.h"
 #include "tests/support/random.h"
 #include "tests/support/scaled_projects.h"

@@ -1,12 +1,8 @@
-#include "engine/project/checks/compile_checks.h"
+#include "engine/project/checks/animation_checks.h"
 
 #include <algorithm>
 
 #include "engine/project/checks/constraint_checks.h"
-#include "engine/project/checks/contact_checks.h"
-#include "engine/project/checks/drive_checks.h"
-#include "engine/project/checks/force_checks.h"
-#include "engine/project/checks/hold_checks.h"
 
 // What may not be at the same time is looked up in sets of the frames that those before take. Where
 // one is in the way, which one it is is looked for among all of them: that ends the checks.
