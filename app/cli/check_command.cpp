@@ -4,7 +4,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/exit_codes.h"
 #include "app/cli/terminal.h"
-#include "engine/project/figure_reader.h"
+#include "engine/project/figure_file.h"
 #include "engine/project/json/text_file.h"
 #include "engine/sweep/sweep_plan.h"
 

@@ -11,7 +11,7 @@
 #include "engine/exchange/motion_json.h"
 #include "engine/exchange/seam_json.h"
 #include "engine/exchange/units.h"
-#include "engine/project/shown_name.h"
+#include "engine/project/project_files.h"
 
 namespace hazumi {
 

@@ -12,7 +12,7 @@
 #include "app/cli/terminal.h"
 #include "engine/base/memory.h"
 #include "engine/base/version.h"
-#include "engine/project/address/list_fields.h"
+#include "engine/project/address/all_addresses.h"
 #include "engine/project/json/text_file.h"
 #include "engine/project/project_reader.h"
 #include "engine/sweep/csv.h"

@@ -9,7 +9,7 @@
 #include "engine/base/text.h"
 #include "engine/picture/decode_pictures.h"
 #include "engine/project/json/text_file.h"
-#include "engine/project/shown_name.h"
+#include "engine/project/project_files.h"
 #include "engine/sweep/short_decimal.h"
 #include "render/image/halve.h"
 #include "render/image/png.h"

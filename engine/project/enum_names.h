@@ -9,8 +9,8 @@
 
 #include "engine/figure/figure_spec.h"
 #include "engine/project/project_curve.h"
+#include "engine/project/project_figure.h"
 #include "engine/project/project_scene.h"
-#include "engine/project/project_skin.h"
 #include "engine/timeline/constraint.h"
 #include "engine/timeline/dynamics_region.h"
 #include "engine/timeline/keyframe.h"

@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "engine/project/edits/entries.h"
-#include "engine/project/figure_reader.h"
+#include "engine/project/figure_file.h"
 #include "engine/project/json/json.h"
 #include "engine/project/json/text_file.h"
 

@@ -16,7 +16,6 @@
 #include "engine/project/json/extra_fields.h"
 #include "engine/project/project_figure.h"
 #include "engine/project/project_scene.h"
-#include "engine/project/project_skin.h"
 #include "engine/timeline/animation.h"
 
 namespace hazumi {

@@ -34,4 +34,9 @@ void KeepFilesOf(const Project& project, const std::string& project_path) {
   KeepInput(ReferencePath(project, project_path), InputKind::kReference);
 }
 
+std::string ShownName(const std::string& name, const std::string& file) {
+  const bool is_named = !name.empty() && name != "Untitled";
+  return is_named || file.empty() ? name : std::filesystem::path(file).stem().string();
+}
+
 }  // namespace hazumi

@@ -8,7 +8,7 @@
 #include "engine/project/checks/joint_names.h"
 #include "engine/project/fields/project_fields.h"
 #include "engine/project/figure_fields.h"
-#include "engine/project/figure_reader.h"
+#include "engine/project/figure_file.h"
 #include "engine/project/json/read_value.h"
 #include "engine/project/json/text_file.h"
 #include "engine/project/project_files.h"

@@ -16,4 +16,7 @@ Result<Project> LoadProject(const std::string& path);
 // The same from text. `file_name` is named in errors; the figure's file is looked up in its folder.
 Result<Project> ParseProject(std::string_view text, const std::string& file_name);
 
+// The JSON schema (draft 7) of .kfa files, made of the descriptions of their fields.
+std::string ProjectSchema();
+
 }  // namespace hazumi

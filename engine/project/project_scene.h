@@ -12,7 +12,7 @@
 #include "engine/project/item_id.h"
 #include "engine/project/json/extra_fields.h"
 #include "engine/project/project_curve.h"
-#include "engine/project/project_skin.h"
+#include "engine/project/project_figure.h"
 #include "engine/spatial/types.h"
 #include "engine/timeline/scene_object.h"
 

@@ -1,13 +1,12 @@
 // The schema of .kfa files: an archive that is told of every field and writes down what it may be.
 
-#include "engine/project/schema.h"
-
 #include <array>
 #include <string>
 
 #include "engine/project/fields/project_fields.h"
 #include "engine/project/json/field_writer.h"
 #include "engine/project/json/json.h"
+#include "engine/project/project_reader.h"
 
 namespace hazumi {
 

@@ -6,7 +6,7 @@
 #include "engine/bake/bake.h"
 #include "engine/base/text.h"
 #include "engine/project/compile.h"
-#include "engine/project/figure_writer.h"
+#include "engine/project/figure_file.h"
 #include "engine/project/project_reader.h"
 #include "engine/project/project_writer.h"
 #include "engine/sweep/csv.h"

@@ -5,8 +5,7 @@
 
 #include "engine/base/assert.h"
 #include "engine/figure/figure_builder.h"
-#include "engine/project/figure_reader.h"
-#include "engine/project/figure_writer.h"
+#include "engine/project/figure_file.h"
 
 namespace hazumi::fuzz {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/project/figure_reader.h"
+#include "engine/project/figure_file.h"
 #include "tests/support/animations.h"
 #include "tests/support/figures.h"
 

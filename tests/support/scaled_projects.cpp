@@ -3,8 +3,7 @@
 #include <cmath>
 
 #include "engine/base/assert.h"
-#include "engine/project/figure_reader.h"
-#include "engine/project/figure_writer.h"
+#include "engine/project/figure_file.h"
 
 namespace hazumi::test {
 

@@ -3,7 +3,7 @@
 #include "engine/base/text.h"
 #include "engine/project/compile.h"
 #include "engine/project/fields/field.h"
-#include "engine/project/figure_reader.h"
+#include "engine/project/figure_file.h"
 
 namespace hazumi {
 

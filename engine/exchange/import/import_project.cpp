@@ -19,7 +19,7 @@
 #include "engine/exchange/import/one_root.h"
 #include "engine/exchange/units.h"
 #include "engine/figure/figure_builder.h"
-#include "engine/project/figure_writer.h"
+#include "engine/project/figure_file.h"
 #include "engine/spatial/degrees.h"
 
 namespace hazumi {

@@ -13,11 +13,11 @@
 #include "engine/makers/jumps/jump_contacts.h"
 #include "engine/makers/jumps/lowest_jump.h"
 #include "engine/makers/keyed_moves.h"
-#include "engine/project/edits/carried_along.h"
 #include "engine/project/edits/curves.h"
 #include "engine/project/edits/entries.h"
+#include "engine/project/edits/key_selection.h"
 #include "engine/project/edits/keys.h"
-#include "engine/project/edits/root_values.h"
+#include "engine/project/edits/placements.h"
 
 namespace hazumi::makers {
 

@@ -11,7 +11,7 @@
 #include "engine/project/edits/curves.h"
 #include "engine/project/edits/entries.h"
 #include "engine/project/edits/keys.h"
-#include "engine/project/edits/root_values.h"
+#include "engine/project/edits/placements.h"
 #include "engine/spatial/degrees.h"
 
 namespace hazumi::makers {

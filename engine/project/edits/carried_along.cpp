@@ -1,10 +1,9 @@
-#include "engine/project/edits/carried_along.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "engine/project/checks/joint_names.h"
 #include "engine/project/edits/curves.h"
+#include "engine/project/edits/key_selection.h"
 #include "engine/project/edits/keys.h"
 #include "engine/project/items.h"
 

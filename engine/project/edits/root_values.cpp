@@ -1,8 +1,7 @@
-#include "engine/project/edits/root_values.h"
-
 #include <algorithm>
 #include <cmath>
 
+#include "engine/project/edits/placements.h"
 #include "engine/project/project.h"
 #include "engine/spatial/degrees.h"
 

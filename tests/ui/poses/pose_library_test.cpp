@@ -4,7 +4,7 @@
 #include <fstream>
 
 #include "engine/figure/figure_builder.h"
-#include "engine/project/figure_reader.h"
+#include "engine/project/figure_file.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/ui/user.h"
 #include "ui/panels/poses/actions.h"

@@ -2,7 +2,7 @@
 
 #include "engine/analysis/effort.h"
 #include "engine/figure/figure_builder.h"
-#include "engine/project/figure_reader.h"
+#include "engine/project/figure_file.h"
 #include "tests/support/animations.h"
 
 namespace hazumi::test {

@@ -10,7 +10,7 @@
 #include "engine/analysis/effort.h"
 #include "engine/analysis/effort_report.h"
 #include "engine/figure/figure_builder.h"
-#include "engine/project/figure_reader.h"
+#include "engine/project/figure_file.h"
 #include "engine/spatial/degrees.h"
 #include "tests/support/animations.h"
 

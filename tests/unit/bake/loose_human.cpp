@@ -1,6 +1,6 @@
 #include "tests/unit/bake/loose_human.h"
 
-#include "engine/project/figure_reader.h"
+#include "engine/project/figure_file.h"
 #include "tests/support/animations.h"
 #include "tests/support/figures.h"
 

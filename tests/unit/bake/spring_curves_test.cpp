@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "engine/figure/figure_builder.h"
-#include "engine/project/figure_reader.h"
+#include "engine/project/figure_file.h"
 #include "engine/spatial/degrees.h"
 #include "tests/support/animations.h"
 #include "tests/support/odd_figures.h"

@@ -1,4 +1,4 @@
-#include "engine/project/figure_reader.h"
+#include "engine/project/figure_file.h"
 #include "tests/unit/edit/sessions.h"
 
 namespace hazumi::test {

@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-#include "engine/project/address/list_fields.h"
+#include "engine/project/address/all_addresses.h"
 #include "tests/unit/project/sample.h"
 
 namespace hazumi::testing {

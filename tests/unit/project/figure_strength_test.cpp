@@ -3,8 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/figure/figure_builder.h"
-#include "engine/project/figure_reader.h"
-#include "engine/project/figure_writer.h"
+#include "engine/project/figure_file.h"
 #include "engine/spatial/degrees.h"
 #include "tests/unit/project/sample.h"
 

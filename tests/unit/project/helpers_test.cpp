@@ -3,7 +3,7 @@
 #include "engine/base/utf8.h"
 #include "engine/project/json/did_you_mean.h"
 #include "engine/project/json/json.h"
-#include "engine/project/shown_name.h"
+#include "engine/project/project_files.h"
 
 namespace hazumi {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "engine/dynamics/kinematics.h"
 #include "engine/figure/figure_builder.h"
-#include "engine/project/figure_reader.h"
+#include "engine/project/figure_file.h"
 #include "engine/spatial/degrees.h"
 #include "engine/spatial/euler_angles.h"
 

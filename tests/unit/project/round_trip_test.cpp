@@ -4,8 +4,7 @@
 #include <random>
 
 #include "engine/figure/figure_builder.h"
-#include "engine/project/figure_reader.h"
-#include "engine/project/figure_writer.h"
+#include "engine/project/figure_file.h"
 #include "engine/project/project_reader.h"
 #include "engine/project/project_writer.h"
 #include "tests/unit/project/sample.h"

@@ -1,7 +1,5 @@
 // Every shipped file against the published schemas, and the schemas against the reader.
 
-#include "engine/project/schema.h"
-
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -11,7 +9,7 @@
 #include <valijson/validator.hpp>
 
 #include "engine/project/compile.h"
-#include "engine/project/figure_reader.h"
+#include "engine/project/figure_file.h"
 #include "engine/project/project_reader.h"
 #include "engine/project/project_writer.h"
 #include "engine/sweep/sweep_run.h"

@@ -3,8 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/base/base64.h"
-#include "engine/project/figure_reader.h"
-#include "engine/project/figure_writer.h"
+#include "engine/project/figure_file.h"
 #include "engine/project/project_reader.h"
 #include "engine/project/project_writer.h"
 #include "tests/support/random.h"

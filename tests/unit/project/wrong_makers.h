@@ -6,7 +6,7 @@
 #include <string>
 
 #include "engine/project/compile.h"
-#include "engine/project/figure_reader.h"
+#include "engine/project/figure_file.h"
 #include "engine/project/project_reader.h"
 #include "tests/unit/project/sample.h"
 

@@ -13,8 +13,8 @@
 
 #include "engine/dynamics/kinematics.h"
 #include "engine/figure/figure_builder.h"
-#include "engine/project/figure_reader.h"
-#include "engine/project/project_skin.h"
+#include "engine/project/figure_file.h"
+#include "engine/project/project_figure.h"
 #include "render/mesh/linear_blend.h"
 #include "render/motion/figure_skin.h"
 

@@ -10,7 +10,7 @@
 #include <map>
 #include <utility>
 
-#include "engine/project/project_skin.h"
+#include "engine/project/project_figure.h"
 
 namespace hazumi::render {
 namespace {

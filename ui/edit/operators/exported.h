@@ -6,7 +6,7 @@
 #include <string>
 
 #include "engine/exchange/export_motion.h"
-#include "engine/project/project_skin.h"
+#include "engine/project/project_figure.h"
 #include "ui/edit/session/session.h"
 
 namespace hazumi::edit {

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "engine/project/checks/joint_names.h"
-#include "engine/project/edits/root_values.h"
+#include "engine/project/edits/placements.h"
 #include "ui/edit/fields/item_fields.h"
 #include "ui/edit/operators/edits.h"
 #include "ui/edit/operators/keys/start_keys.h"

@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "engine/figure/figure_builder.h"
-#include "engine/project/address/item_addresses.h"
+#include "engine/project/address/all_addresses.h"
 #include "engine/project/compile.h"
 #include "engine/project/edits/curves.h"
-#include "engine/project/edits/root_values.h"
+#include "engine/project/edits/placements.h"
 #include "engine/project/items.h"
 #include "engine/project/project_files.h"
 #include "ui/edit/new_project.h"

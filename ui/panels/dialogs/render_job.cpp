@@ -8,7 +8,6 @@
 #include "engine/base/filled.h"
 #include "engine/base/memory.h"
 #include "engine/project/project_files.h"
-#include "engine/project/shown_name.h"
 #include "ui/edit/media_files.h"
 #include "ui/panels/dialogs/dialogs.h"
 #include "ui/panels/viewport/scene.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "engine/base/filled.h"
-#include "engine/project/edits/root_values.h"
+#include "engine/project/edits/placements.h"
 #include "ui/edit/operators/edits.h"
 #include "ui/edit/operators/keys/at_frame.h"
 #include "ui/edit/operators/pose/flipped_pose.h"

@@ -7,7 +7,7 @@
 #include "engine/base/text.h"
 #include "engine/figure/mirror.h"
 #include "engine/project/edits/curves.h"
-#include "engine/project/edits/root_values.h"
+#include "engine/project/edits/placements.h"
 #include "engine/spatial/degrees.h"
 #include "ui/edit/operators/keys/at_frame.h"
 #include "ui/panels/commands/actions.h"

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "engine/dynamics/kinematics.h"
-#include "engine/project/project_skin.h"
+#include "engine/project/project_figure.h"
 #include "render/mesh/linear_blend.h"
 #include "render/motion/figure_skin.h"
 #include "tests/unit/edit/held/throws.h"

@@ -3,7 +3,7 @@
 
 #include "engine/dynamics/kinematics.h"
 #include "engine/figure/pose_mirror.h"
-#include "engine/project/figure_writer.h"
+#include "engine/project/figure_file.h"
 #include "tests/support/capture_skeletons.h"
 #include "tests/unit/edit/sessions.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "engine/base/text.h"
-#include "engine/project/edits/carried_along.h"
+#include "engine/project/edits/key_selection.h"
 #include "engine/project/edits/keys.h"
 #include "ui/edit/fields/item_fields.h"
 #include "ui/edit/operators/edits.h"

@@ -8,7 +8,7 @@
 #include "engine/dynamics/kinematics.h"
 #include "engine/placement/contact.h"
 #include "engine/placement/reach.h"
-#include "engine/project/edits/root_values.h"
+#include "engine/project/edits/placements.h"
 #include "ui/edit/operators/edits.h"
 #include "ui/edit/operators/keys/at_frame.h"
 #include "ui/edit/operators/pose/limb_chain.h"

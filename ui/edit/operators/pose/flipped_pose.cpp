@@ -6,7 +6,7 @@
 #include <set>
 
 #include "engine/figure/pose_mirror.h"
-#include "engine/project/edits/root_values.h"
+#include "engine/project/edits/placements.h"
 #include "engine/spatial/euler_angles.h"
 #include "ui/edit/operators/edits.h"
 

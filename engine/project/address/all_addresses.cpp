@@ -1,6 +1,7 @@
-#include "engine/project/address/list_fields.h"
+#include "engine/project/address/all_addresses.h"
 
 #include "engine/project/address/addressed_field.h"
+#include "engine/project/items.h"
 #include "engine/project/json/field_writer.h"
 
 namespace hazumi {
@@ -106,6 +107,21 @@ std::vector<ListedField> ListFields(const Project& project) {
   FieldLister lister("", &fields);
   Describe(lister, project);
   return fields;
+}
+
+std::vector<ItemAddress> ItemAddresses(const Project& project) {
+  std::vector<ItemAddress> addresses;
+  ForEachItemList(
+      [&](auto kind, const auto& items) {
+        const std::vector<std::string> names = ItemNames(items);
+        for (size_t i = 0; i < items.size(); ++i) {
+          if (!items[i].identity.id.is_valid()) continue;
+          addresses.push_back(
+              {items[i].identity.id, std::string(kind.kList) + "[" + names[i] + "]"});
+        }
+      },
+      project);
+  return addresses;
 }
 
 }  // namespace hazumi

@@ -1,4 +1,4 @@
-#include "engine/project/figure_writer.h"
+#include "engine/project/figure_file.h"
 
 #include <Eigen/Geometry>
 #include <cmath>
@@ -7,6 +7,7 @@
 #include "engine/project/figure_fields.h"
 #include "engine/project/json/field_writer.h"
 #include "engine/project/json/json.h"
+#include "engine/project/json/text_file.h"
 #include "engine/spatial/degrees.h"
 
 namespace hazumi {
@@ -133,6 +134,23 @@ std::string FigureText(const FigureSpec& spec) {
   for (const JointSpec& joint : spec.joints) json["joints"].push_back(ToJson(joint));
   if (spec.mirror) json["mirror"] = {{"from", spec.mirror->from}, {"to", spec.mirror->to}};
   return CompactJson(json);
+}
+
+Result<FigureSpec> LoadFigure(const std::string& path, std::vector<Warning>* warnings,
+                              std::vector<Warning>* unknown) {
+  const Result<std::string> text = ReadTextFile(path);
+  if (!text.ok()) return text.error();
+  return ParseFigure(text.value(), path, warnings, unknown);
+}
+
+Result<FigureSpec> ParseFigure(std::string_view text, const std::string& file_name,
+                               std::vector<Warning>* warnings, std::vector<Warning>* unknown) {
+  FirstError errors;
+  const std::optional<Json> json = ParseJson(text, &errors);
+  if (!json) return errors.In(file_name);
+  FigureSpec spec = ReadFigure(*json, {"", &errors, warnings, unknown});
+  if (!errors.ok()) return errors.In(file_name);
+  return spec;
 }
 
 }  // namespace hazumi

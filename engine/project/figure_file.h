@@ -1,5 +1,7 @@
 #pragma once
 
+// A figure as a file of its own: read, and written.
+
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,5 +21,9 @@ Result<FigureSpec> LoadFigure(const std::string& path, std::vector<Warning>* war
 Result<FigureSpec> ParseFigure(std::string_view text, const std::string& file_name,
                                std::vector<Warning>* warnings = nullptr,
                                std::vector<Warning>* unknown = nullptr);
+
+// A figure as the text of a figure file, on one line; ParseFigure reads the same figure from it,
+// but for rounding where joints are turned.
+std::string FigureText(const FigureSpec& spec);
 
 }  // namespace hazumi
