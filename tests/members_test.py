@@ -25,7 +25,7 @@ STRUCTS = {
         "engine/passive/node_motion.h": ["DrivenMotion"],
         "engine/passive/hinge_state.h": ["HingeState"],
         "engine/passive/region_model.h": ["NodeHinge", "ModelNode", "NodeJoint", "RegionModel"],
-        "engine/spatial/point_motion.h": ["PointMotion"],
+        "engine/spatial/body_motion.h": ["PointMotion"],
         "engine/bake/island_request.h": ["IslandTask", "BeginIsland", "DriveIsland",
                                         "AdvanceIsland", "SolveIsland", "SampleIsland",
                                         "MeasureIsland", "AccelerateIsland"],

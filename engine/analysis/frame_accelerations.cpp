@@ -6,7 +6,7 @@
 #include "engine/analysis/frame_accelerations.h"
 
 #include "engine/dynamics/kinematics.h"
-#include "engine/spatial/turn.h"
+#include "engine/spatial/pose.h"
 
 namespace hazumi {
 

@@ -14,7 +14,7 @@
 #include "engine/analysis/frame_accelerations.h"
 #include "engine/analysis/low_pass.h"
 #include "engine/spatial/degrees.h"
-#include "engine/spatial/turn.h"
+#include "engine/spatial/pose.h"
 
 namespace hazumi {
 

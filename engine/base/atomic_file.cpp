@@ -11,7 +11,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "engine/base/file_place.h"
+#include "engine/base/input_files.h"
 
 namespace hazumi {
 

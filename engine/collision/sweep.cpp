@@ -10,8 +10,6 @@
 // along a surface at less than about kNormalError of the path would take many steps: there the
 // least gap of the rest of the path is searched (golden section), and the first touch bisected.
 
-#include "engine/collision/sweep.h"
-
 #include <algorithm>
 
 #include "engine/collision/distance.h"

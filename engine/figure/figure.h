@@ -94,4 +94,11 @@ class Figure {
   std::shared_ptr<const NameIndex> index_;  // copies of a figure share it
 };
 
+// The joints that sit on a body; an invalid one is the root's.
+std::vector<GroupIndex> ChildrenOf(JointIndex body, const Figure& figure);
+
+// The joints that move a joint, from it towards the root: `count` of them, 0 all. Not given: its
+// limb, which ends before a joint that carries others too (the chest, of an arm).
+std::vector<GroupIndex> ChainOf(GroupIndex moved, std::optional<int> count, const Figure& figure);
+
 }  // namespace hazumi

@@ -6,8 +6,6 @@
 #include <map>
 #include <numbers>
 
-#include "engine/figure/mirror.h"
-
 namespace hazumi {
 
 namespace {

@@ -1,4 +1,4 @@
-#include "engine/figure/mirror.h"
+#include "engine/figure/figure_builder.h"
 
 // Reflection through the plane y = 0, S = diag(1, -1, 1). A turn by t about axis a becomes a turn
 // by -t about S a, that is by t about -S a: equal angles are mirror-image poses.

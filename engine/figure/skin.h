@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "engine/base/result.h"
+
 namespace hazumi {
 
 struct Texture {
@@ -73,5 +75,11 @@ struct Skin {
   std::vector<Texture> textures;
   bool operator==(const Skin&) const = default;
 };
+
+// Whether all of a skin fits together, so that it can be drawn and written without looking again.
+// Errors: kSemantics with the first place, such as `meshes[0].binds[1].bone`, that is an index out
+// of range, a list of another length than the positions, a number that is not finite or a weight
+// outside 0 to 1.
+Result<Done> CheckSkin(const Skin& skin);
 
 }  // namespace hazumi

@@ -1,6 +1,6 @@
-#include "engine/figure/skin_check.h"
-
 #include <algorithm>
+
+#include "engine/figure/skin.h"
 
 namespace hazumi {
 

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "engine/spatial/body_motion.h"
-#include "engine/spatial/point_motion.h"
 
 namespace hazumi {
 

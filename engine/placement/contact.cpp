@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "engine/collision/distance.h"
-#include "engine/collision/sweep.h"
 
 namespace hazumi {
 

@@ -5,7 +5,6 @@
 
 #include "engine/dynamics/kinematics.h"
 #include "engine/spatial/body_motion.h"
-#include "engine/spatial/point_motion.h"
 
 namespace hazumi {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/figure/limb.h"
+#include "engine/figure/figure.h"
 #include "engine/placement/hold_chain.h"
 
 // Levenberg and Marquardt's method on |e(x)|^2 / 2 with bounds, e being p(x) - target and, where an

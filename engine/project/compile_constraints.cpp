@@ -3,7 +3,7 @@
 #include <string>
 
 #include "engine/base/named.h"
-#include "engine/collision/obstacle_frame.h"
+#include "engine/collision/shapes.h"
 #include "engine/project/checks/constraint_checks.h"
 #include "engine/project/checks/joint_names.h"
 #include "engine/project/figure_fields.h"

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "engine/figure/figure_builder.h"
-#include "engine/figure/mirror.h"
 #include "engine/project/checks/field_checks.h"
 #include "engine/project/json/read_value.h"
 #include "engine/spatial/degrees.h"

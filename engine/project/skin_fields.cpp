@@ -4,7 +4,7 @@
 #include <cstring>
 
 #include "engine/base/base64.h"
-#include "engine/figure/skin_check.h"
+#include "engine/figure/skin.h"
 #include "engine/project/fields/project_fields.h"
 #include "engine/project/json/field_writer.h"
 #include "engine/project/json/read_value.h"

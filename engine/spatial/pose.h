@@ -57,4 +57,10 @@ void Turn(const Vec3& axis, const T& sine, const T& cosine, Mat3Of<T>* R) {
   *R = (*R * AxisRotation<T>(axis, sine, cosine)).eval();
 }
 
+// The turn r [rad] about an axis that leads from one orientation to another: exp(r) from = to.
+inline Vec3 TurnBetween(const Mat3& from, const Mat3& to) {
+  const Eigen::AngleAxisd turn(to * from.transpose());
+  return turn.angle() * turn.axis();
+}
+
 }  // namespace hazumi

@@ -1,6 +1,6 @@
 #include "engine/timeline/placement_span.h"
 
-#include "engine/figure/limb.h"
+#include "engine/figure/figure.h"
 
 namespace hazumi {
 

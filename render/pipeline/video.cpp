@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "engine/base/atomic_file.h"
-#include "engine/base/file_place.h"
+#include "engine/base/input_files.h"
 #include "engine/media/decode_sound.h"
 
 extern char** environ;

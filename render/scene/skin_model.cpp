@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "engine/figure/skin_check.h"
+#include "engine/figure/skin.h"
 #include "engine/picture/decode_pictures.h"
 #include "render/scene/skin_levels.h"
 #include "render/scene/skin_surface.h"

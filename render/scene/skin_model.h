@@ -56,7 +56,7 @@ struct SkinModel {
   std::vector<Warning> warnings;  // textures that could not be read: their colour is used alone
 };
 
-// Errors: those of CheckSkin (engine/figure/skin_check.h).
+// Errors: those of CheckSkin (engine/figure/skin.h).
 Result<std::shared_ptr<const SkinModel>> MakeSkinModel(std::shared_ptr<const Skin> skin);
 
 // The weights of a vertex as drawing takes them: the sum is 1; without any weight, all is on the

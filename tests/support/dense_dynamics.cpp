@@ -1,6 +1,6 @@
 #include "tests/support/dense_dynamics.h"
 
-#include "engine/dynamics/inertia_column.h"
+#include "engine/dynamics/inverse_dynamics.h"
 #include "engine/dynamics/mixed_dynamics.h"
 
 namespace hazumi::test {

@@ -7,7 +7,7 @@
 
 #include <cstdio>
 
-#include "engine/base/shadow_memory.h"
+#include "engine/base/memory.h"
 
 namespace hazumi::test {
 

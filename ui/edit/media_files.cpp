@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "engine/base/file_place.h"
+#include "engine/base/input_files.h"
 #include "engine/project/project_files.h"
 #include "engine/timeline/frame_time.h"
 

@@ -19,7 +19,7 @@
 #include <string>
 
 #include "engine/base/atomic_file.h"
-#include "engine/base/shadow_memory.h"
+#include "engine/base/memory.h"
 #include "engine/child/child_process.h"
 #include "engine/child/exit_codes.h"
 #include "engine/child/reader_program.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "engine/base/file_place.h"
+#include "engine/base/input_files.h"
 #include "engine/exchange/reader/whole_file.h"
 
 namespace hazumi {

@@ -5,7 +5,7 @@
 #include "engine/passive/contact/contact_push.h"
 #include "engine/passive/forces/force_law.h"
 #include "engine/passive/forces/hinge_moment.h"
-#include "engine/spatial/turn.h"
+#include "engine/spatial/pose.h"
 
 namespace hazumi {
 

@@ -15,7 +15,7 @@
 #include <filesystem>
 #include <new>
 
-#include "engine/base/shadow_memory.h"
+#include "engine/base/memory.h"
 #include "tests/support/from_environment.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/ui/commands/commands.h"

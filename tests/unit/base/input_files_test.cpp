@@ -8,7 +8,6 @@
 #include <fstream>
 
 #include "engine/base/atomic_file.h"
-#include "engine/base/file_place.h"
 #include "tests/support/temporary_folder.h"
 
 namespace hazumi::test {

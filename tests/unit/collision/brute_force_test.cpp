@@ -11,7 +11,6 @@
 #include <string>
 
 #include "engine/collision/distance.h"
-#include "engine/collision/sweep.h"
 #include "tests/unit/collision/random_shapes.h"
 
 namespace hazumi::test {

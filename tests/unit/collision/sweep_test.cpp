@@ -1,5 +1,3 @@
-#include "engine/collision/sweep.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>

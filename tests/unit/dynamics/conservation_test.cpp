@@ -2,7 +2,6 @@
 
 #include <Eigen/Cholesky>
 
-#include "engine/dynamics/inertia_column.h"
 #include "engine/dynamics/inverse_dynamics.h"
 #include "tests/support/compare.h"
 #include "tests/support/dense_dynamics.h"

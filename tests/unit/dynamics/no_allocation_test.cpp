@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "engine/dynamics/inertia_column.h"
+#include "engine/dynamics/inverse_dynamics.h"
 #include "engine/passive/exact/exact_solver.h"
 #include "engine/passive/forces/force_spec.h"
 #include "engine/passive/paper_step.h"

@@ -9,7 +9,7 @@
 #include <fstream>
 #include <thread>
 
-#include "engine/base/shadow_memory.h"
+#include "engine/base/memory.h"
 #include "engine/exchange/read_character.h"
 #include "tests/support/temporary_folder.h"
 

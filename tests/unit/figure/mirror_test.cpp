@@ -1,8 +1,7 @@
-#include "engine/figure/mirror.h"
-
 #include <gtest/gtest.h>
 
 #include "engine/dynamics/kinematics.h"
+#include "engine/figure/figure_builder.h"
 #include "tests/support/figures.h"
 #include "tests/support/random_tree.h"
 

@@ -1,8 +1,8 @@
-#include "engine/figure/skin_check.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "engine/figure/skin.h"
 
 namespace hazumi::test {
 namespace {

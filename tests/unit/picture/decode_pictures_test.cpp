@@ -5,7 +5,7 @@
 
 #include <chrono>
 
-#include "engine/base/shadow_memory.h"
+#include "engine/base/memory.h"
 #include "engine/picture/decode.h"
 #include "engine/picture/decode_here.h"
 #include "engine/picture/picture_bytes.h"

@@ -6,7 +6,7 @@
 
 #include "engine/base/named.h"
 #include "engine/collision/distance.h"
-#include "engine/collision/obstacle_frame.h"
+#include "engine/collision/shapes.h"
 #include "engine/dynamics/kinematics.h"
 #include "engine/project/checks/joint_names.h"
 #include "engine/spatial/euler_angles.h"

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "engine/base/text.h"
-#include "engine/figure/mirror.h"
+#include "engine/figure/figure_builder.h"
 #include "engine/project/edits/curves.h"
 #include "engine/project/edits/placements.h"
 #include "engine/spatial/degrees.h"

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/base/file_place.h"
 #include "engine/base/filled.h"
+#include "engine/base/input_files.h"
 #include "engine/base/text.h"
 #include "engine/project/checks/joint_names.h"
 #include "engine/project/project_files.h"

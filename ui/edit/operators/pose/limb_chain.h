@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/figure/limb.h"
+#include "engine/figure/figure.h"
 #include "engine/timeline/animation.h"
 
 namespace hazumi::edit {
