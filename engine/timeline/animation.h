@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <vector>
@@ -50,5 +51,16 @@ struct Animation {
   std::vector<OuterForce> forces;
   std::vector<Constraint> constraints;
 };
+
+// Whether a hinge starts in a region with the speed that another region, which ends there, leaves
+// it with.
+inline bool IsTakenOver(const DynamicsRegion& region, JointIndex hinge,
+                        const Animation& animation) {
+  return std::any_of(animation.regions.begin(), animation.regions.end(),
+                     [&](const DynamicsRegion& other) {
+                       return other.last_frame == region.first_frame &&
+                              std::binary_search(other.joints.begin(), other.joints.end(), hinge);
+                     });
+}
 
 }  // namespace hazumi

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <Eigen/Geometry>
+#include <cmath>
 #include <optional>
 #include <string>
 
@@ -58,7 +60,14 @@ struct Constraint {
 struct ConstraintGap {
   double distance = 0.0, turn = 0.0;
 };
-ConstraintGap GapBetween(const Constraint& constraint, const Pose& a, const Pose& b);
+inline ConstraintGap GapBetween(const Constraint& constraint, const Pose& a, const Pose& b) {
+  const double apart = (a.p - b.p).norm();
+  if (constraint.kind == ConstraintKind::kDistance) {
+    return {std::abs(apart - constraint.length), 0.0};
+  }
+  if (constraint.kind == ConstraintKind::kPoint) return {apart, 0.0};
+  return {apart, Eigen::AngleAxisd(a.R * b.R.transpose()).angle()};
+}
 
 // A constraint without effect from a frame on, since no region moves its ends there.
 struct OutlastingConstraint {

@@ -2,8 +2,6 @@
 // it bounces off: looked for between instants so close together that none passes two of them that
 // are far apart, and found by halving.
 
-#include "engine/timeline/curve_range.h"
-
 #include "engine/timeline/curve_track.h"
 
 namespace hazumi {

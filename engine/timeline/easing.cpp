@@ -8,11 +8,11 @@
 // In: f(u). Out: 1 - f(1 - u). In and out: f(2 u) / 2, and 1 - f(2 - 2 u) / 2 from u = 1/2 on.
 // [Penner, Motion, Tweening, and Easing, 2001; e begins at 0 here, so that no end jumps]
 
-#include "engine/timeline/easing.h"
-
 #include <array>
 #include <cmath>
 #include <numbers>
+
+#include "engine/timeline/interval.h"
 
 namespace hazumi {
 

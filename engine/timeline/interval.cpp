@@ -11,8 +11,6 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/timeline/easing.h"
-
 namespace hazumi {
 
 namespace {

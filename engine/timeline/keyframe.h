@@ -11,7 +11,7 @@ enum class Interpolation {
   kLinear,
   kQuadratic,  // Arai 2.5 (1): from value and rate to the next value
   kCubic,      // Arai 2.5 (1), (3): from value and rate to the next value and rate
-  // Eased: from value to value along a curve of its own (easing.h), whatever the rates.
+  // Eased: from value to value along a curve of its own (interval.h), whatever the rates.
   kSine,
   kQuintic,
   kExponential,

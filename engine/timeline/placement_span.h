@@ -101,6 +101,10 @@ struct IkHold {
 };
 
 // The joints that a hold moves, from it towards the root.
-std::vector<GroupIndex> SolvedJoints(const IkHold& hold, const Figure& figure);
+inline std::vector<GroupIndex> SolvedJoints(const IkHold& hold, const Figure& figure) {
+  constexpr int kAll = 0;
+  if (hold.reach == HoldReach::kBody) return ChainOf(hold.joint, kAll, figure);
+  return ChainOf(hold.joint, std::nullopt, figure);
+}
 
 }  // namespace hazumi

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/timeline/box_around.h"
+#include "engine/timeline/scene_object.h"
 
 namespace hazumi::render {
 

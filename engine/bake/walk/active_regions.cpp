@@ -10,9 +10,9 @@
 #include <utility>
 
 #include "engine/bake/walk/contacts_of.h"
+#include "engine/bake/walk/drive_curves.h"
 #include "engine/bake/walk/loose_balls.h"
 #include "engine/bake/walk/outer_forces.h"
-#include "engine/bake/walk/spring_of.h"
 
 namespace hazumi {
 

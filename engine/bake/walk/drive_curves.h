@@ -4,7 +4,10 @@
 #include <vector>
 
 #include "engine/bake/bake_context.h"
+#include "engine/bake/handover/region_start.h"
+#include "engine/passive/forces/spring_drive.h"
 #include "engine/timeline/curve_track.h"
+#include "engine/timeline/frame_time.h"
 
 namespace hazumi {
 
@@ -43,5 +46,9 @@ class DriveCurves {
   BakeContext& context_;
   std::vector<Entry> entries_;
 };
+
+// The spring that `drive` is to a joint of a region that began so.
+Spring SpringOf(const Drive& drive, JointIndex joint, const DynamicsRegion& region,
+                const Figure& figure, const RegionStart& start, FrameRate rate);
 
 }  // namespace hazumi

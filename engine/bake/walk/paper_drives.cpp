@@ -1,6 +1,6 @@
 #include "engine/bake/walk/paper_drives.h"
 
-#include "engine/bake/walk/spring_of.h"
+#include "engine/bake/walk/drive_curves.h"
 
 namespace hazumi {
 

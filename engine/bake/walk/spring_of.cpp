@@ -1,9 +1,8 @@
-#include "engine/bake/walk/spring_of.h"
-
 #include <algorithm>
 
+#include "engine/bake/walk/drive_curves.h"
 #include "engine/passive/ball_axes.h"
-#include "engine/timeline/curve_range.h"
+#include "engine/timeline/curve_track.h"
 
 namespace hazumi {
 

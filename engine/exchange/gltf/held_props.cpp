@@ -6,7 +6,7 @@
 #include <string>
 
 #include "engine/base/assert.h"
-#include "engine/timeline/box_around.h"
+#include "engine/timeline/scene_object.h"
 
 namespace hazumi {
 

@@ -10,7 +10,7 @@
 #include "engine/project/compile.h"
 #include "engine/project/edits/entries.h"
 #include "engine/project/edits/holders.h"
-#include "engine/timeline/region_start.h"
+#include "engine/timeline/animation.h"
 
 namespace hazumi::makers {
 

@@ -8,12 +8,11 @@
 // 0 within 5 degrees of both ends, with two continuous derivatives, since e_L changes sides there.
 // Solver version 1 fades that of plates too.
 
-#include "engine/passive/forces/air_on_surface.h"
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
+#include "engine/passive/forces/wind.h"
 #include "engine/spatial/degrees.h"
 #include "engine/spatial/smooth_step.h"
 

@@ -1,13 +1,11 @@
 // Cylinders. With u the air's velocity relative to a point of the axis, u_n what of it is across
 // the axis, each length ds of the axis feels
 //   dF = rho C_D d |u_n| u_n ds / 2,   C_D = 1.1,
-// summed over Gauss's points. Their ends are left out. Surfaces: air_on_surface.h.
+// summed over Gauss's points. Their ends are left out. Surfaces: air_on_surface.cpp.
 
 #include "engine/passive/forces/wind.h"
 
 #include <cmath>
-
-#include "engine/passive/forces/air_on_surface.h"
 
 namespace hazumi {
 

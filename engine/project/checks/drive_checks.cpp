@@ -6,7 +6,7 @@
 #include "engine/project/checks/document_checks.h"
 #include "engine/project/checks/joint_names.h"
 #include "engine/project/fields/curve_fields.h"
-#include "engine/timeline/curve_range.h"
+#include "engine/timeline/curve_track.h"
 
 namespace hazumi {
 

@@ -1,12 +1,11 @@
 // What air does to a surface: published figures, and where coefficients come from.
 
-#include "engine/passive/forces/air_on_surface.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
+#include "engine/passive/forces/wind.h"
 #include "engine/spatial/degrees.h"
 #include "tests/support/random.h"
 

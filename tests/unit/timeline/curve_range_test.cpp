@@ -1,6 +1,6 @@
-#include "engine/timeline/curve_range.h"
-
 #include <gtest/gtest.h>
+
+#include "engine/timeline/curve_track.h"
 
 namespace hazumi {
 namespace {

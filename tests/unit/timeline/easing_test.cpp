@@ -1,5 +1,3 @@
-#include "engine/timeline/easing.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>

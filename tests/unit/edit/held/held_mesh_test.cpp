@@ -3,7 +3,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "engine/timeline/box_around.h"
+#include "engine/timeline/scene_object.h"
 #include "render/mesh/linear_blend.h"
 #include "render/motion/motion_scene.h"
 #include "tests/support/temporary_folder.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/timeline/region_start.h"
+#include "engine/timeline/animation.h"
 #include "ui/edit/operators/edits.h"
 
 namespace hazumi::edit {

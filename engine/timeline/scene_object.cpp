@@ -1,4 +1,4 @@
-#include "engine/timeline/box_around.h"
+#include "engine/timeline/scene_object.h"
 
 namespace hazumi {
 
