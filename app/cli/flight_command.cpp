@@ -3,7 +3,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/exit_codes.h"
 #include "app/cli/terminal.h"
-#include "engine/analysis/flight_report.h"
+#include "engine/analysis/flights.h"
 #include "engine/analysis/motion_series.h"
 #include "engine/exchange/flight_json.h"
 

@@ -5,7 +5,7 @@
 #include "app/cli/exit_codes.h"
 #include "app/cli/report_text.h"
 #include "app/cli/terminal.h"
-#include "engine/analysis/effort_report.h"
+#include "engine/analysis/effort.h"
 #include "engine/analysis/seam_report.h"
 #include "engine/base/text.h"
 #include "engine/exchange/motion_json.h"

@@ -15,9 +15,9 @@
 #include "engine/project/address/all_addresses.h"
 #include "engine/project/json/text_file.h"
 #include "engine/project/project_reader.h"
-#include "engine/sweep/csv.h"
 #include "engine/sweep/sweep_run.h"
 #include "engine/sweep/sweep_store.h"
+#include "engine/sweep/table_text.h"
 
 namespace hazumi {
 

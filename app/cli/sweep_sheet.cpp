@@ -10,7 +10,7 @@
 #include "engine/picture/decode_pictures.h"
 #include "engine/project/json/text_file.h"
 #include "engine/project/project_files.h"
-#include "engine/sweep/short_decimal.h"
+#include "engine/sweep/table_text.h"
 #include "render/image/halve.h"
 #include "render/image/png.h"
 #include "render/sheet/contact_sheet.h"

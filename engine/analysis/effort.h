@@ -48,11 +48,20 @@ struct Effort {
 bool IsCapture(const Animation& animation);
 
 // Returns one entry per frame. The accelerations are those of the bake (BakeOptions::accelerations:
-// exact, right-sided). A motion without accelerations uses frame_accelerations.h; a capture uses
+// exact, right-sided). A motion without accelerations uses AccelerationAt; a capture uses
 // differences of the filtered motion. A held object counts as part of its holder. The known
 // external forces are gravity, the weight of held objects, the forces of constraints and of regions
 // with contacts, wind, and pulls on links while they act.
 Effort EffortOf(const Animation& animation, const Motion& motion,
                 const EffortOptions& options = {});
+
+// The largest torque and the largest share of a strength, with hinge and frame, what comes from
+// nowhere, and how accelerations were found: a line each.
+std::vector<std::string> EffortReport(const Animation& animation, const Motion& motion,
+                                      const Effort& effort);
+// One line of it: the largest share of a strength, or where none is known the largest torque. None
+// of a motion without frames.
+std::vector<std::string> BriefEffortReport(const Animation& animation, const Motion& motion,
+                                           const Effort& effort);
 
 }  // namespace hazumi

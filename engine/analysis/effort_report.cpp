@@ -1,8 +1,7 @@
-#include "engine/analysis/effort_report.h"
-
 #include <algorithm>
 #include <cmath>
 
+#include "engine/analysis/effort.h"
 #include "engine/base/text.h"
 
 namespace hazumi {

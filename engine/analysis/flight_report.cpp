@@ -1,9 +1,9 @@
-#include "engine/analysis/flight_report.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
+
+#include "engine/analysis/flights.h"
 
 namespace hazumi {
 

@@ -3,8 +3,7 @@
 // and for the root's rotation of the cubic of r, with exp(r) = R_1 R_0^T:
 //   r' = w at its beginning, r' = w - r x w / 2 + r x (r x w) / 12 + O(r^4) at its end.
 
-#include "engine/analysis/frame_accelerations.h"
-
+#include "engine/analysis/smooth_motion.h"
 #include "engine/dynamics/kinematics.h"
 #include "engine/spatial/pose.h"
 

@@ -7,12 +7,11 @@
 // [Winter 2009]. Before the first sample and behind the last one a series goes on turned about that
 // sample, 2 x_0 - x_n, so that value and slope do.
 
-#include "engine/analysis/low_pass.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "engine/analysis/smooth_motion.h"
 #include "engine/spatial/lanes/lane_array.h"
 
 namespace hazumi {

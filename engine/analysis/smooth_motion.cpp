@@ -11,8 +11,6 @@
 #include <Eigen/Geometry>
 #include <numbers>
 
-#include "engine/analysis/frame_accelerations.h"
-#include "engine/analysis/low_pass.h"
 #include "engine/spatial/degrees.h"
 #include "engine/spatial/pose.h"
 

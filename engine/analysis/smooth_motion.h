@@ -1,11 +1,28 @@
 #pragma once
 
+// Accelerations of a motion whose bake did not report them: of its frames, or of what is left of it
+// below a cutoff.
+
 #include <vector>
 
 #include "engine/analysis/frame_dynamics.h"
+#include "engine/analysis/lanes/effort_kernels.h"
 #include "engine/bake/motion.h"
+#include "engine/spatial/types.h"
 
 namespace hazumi {
+
+// Returns the right-sided accelerations at a frame; at the last frame the left-sided ones. The
+// accelerations are those of cubics through the angles and rates of two frames. They are exact
+// where keys make the motion and each frame is a frame of the project; elsewhere their error is
+// proportional to the square of the frame time. A motion of one frame has zero accelerations.
+MotionAcceleration AccelerationAt(const Motion& motion, size_t frame);
+
+// Takes what is faster than `cutoff` [Hz] out of series, one a row, with samples `dt` [s] apart in
+// the columns; nothing is delayed. Series of one sample, and a cutoff that the samples cannot show
+// (at or above half of their rate), are left as they are.
+void LowPass(double cutoff, double dt, MatX* series,
+             const EffortKernels& kernels = BestEffortKernels());
 
 // A motion with the accelerations of all its frames: its own, or, filtered, those of what is left
 // of it below a cutoff.

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "engine/analysis/flight_report.h"
+#include "engine/analysis/flights.h"
 
 namespace hazumi {
 

@@ -4,8 +4,8 @@
 #include <chrono>
 #include <optional>
 
+#include "engine/picture/image.h"
 #include "engine/picture/picture_bytes.h"
-#include "engine/picture/picture_limits.h"
 
 namespace hazumi {
 namespace {

@@ -12,7 +12,7 @@
 
 namespace hazumi {
 
-// The picture of each file, or why there is none; picture_limits.h bounds each and all. One process
+// The picture of each file, or why there is none; image.h bounds each and all. One process
 // decodes them all; if one ends it, that one is left out and another process goes on with the rest,
 // for twice the time of one. Errors: kSyntax where the picture is broken or too large; kFailed
 // where the reader is missing or not sound; kInterrupted. `options.limits.answer` has no effect.

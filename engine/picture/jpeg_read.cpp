@@ -9,7 +9,7 @@
 #include <csetjmp>
 
 #include "engine/picture/decode.h"
-#include "engine/picture/picture_limits.h"
+#include "engine/picture/image.h"
 
 namespace hazumi {
 namespace {

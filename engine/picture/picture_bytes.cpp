@@ -4,7 +4,7 @@
 
 #include "engine/base/byte_stream.h"
 #include "engine/base/utf8.h"
-#include "engine/picture/picture_limits.h"
+#include "engine/picture/image.h"
 
 namespace hazumi {
 namespace {

@@ -28,7 +28,7 @@ Result<PictureRequest> RequestFromBytes(std::string_view bytes);
 std::string AnswerToBytes(Result<Image> decoded);
 
 // The answers that are whole and sound, in their order, from the beginning up to the first that is
-// not. Any bytes may come in. No picture is larger than picture_limits.h allows, all together have
+// not. Any bytes may come in. No picture is larger than image.h allows, all together have
 // no more than `pixels_left`, and there are `most` answers at most. Takes no more memory than
 // `bytes` does.
 std::vector<Result<Image>> AnswersFromBytes(std::string_view bytes, size_t most,

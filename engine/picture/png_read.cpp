@@ -8,7 +8,7 @@
 #include <cstdio>
 
 #include "engine/picture/decode.h"
-#include "engine/picture/picture_limits.h"
+#include "engine/picture/image.h"
 
 namespace hazumi {
 namespace {

@@ -9,7 +9,7 @@
 #include "engine/project/figure_file.h"
 #include "engine/project/project_reader.h"
 #include "engine/project/project_writer.h"
-#include "engine/sweep/csv.h"
+#include "engine/sweep/table_text.h"
 
 namespace hazumi {
 

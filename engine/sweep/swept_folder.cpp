@@ -5,7 +5,7 @@
 
 #include "engine/project/json/json.h"
 #include "engine/project/json/text_file.h"
-#include "engine/sweep/csv.h"
+#include "engine/sweep/table_text.h"
 
 namespace hazumi {
 

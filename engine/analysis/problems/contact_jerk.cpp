@@ -2,9 +2,9 @@
 // the feet grip and the body does not topple: sprinters at the start reach 1 g, long jumpers at
 // take-off a few. Its acceleration is the second difference of its places from frame to frame.
 
-#include "engine/analysis/problems/contact_jerk.h"
-
 #include <algorithm>
+
+#include "engine/analysis/problems/problems.h"
 
 namespace hazumi {
 

@@ -1,8 +1,7 @@
-#include "engine/analysis/problems/fall_through.h"
-
 #include <optional>
 
 #include "engine/analysis/object_landing.h"
+#include "engine/analysis/problems/problems.h"
 #include "engine/collision/distance.h"
 
 namespace hazumi {

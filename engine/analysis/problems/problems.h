@@ -11,12 +11,36 @@
 #include "engine/analysis/flights.h"
 #include "engine/analysis/held_turn.h"
 #include "engine/analysis/missing_support.h"
-#include "engine/analysis/problems/contact_jerk.h"
-#include "engine/analysis/problems/fall_through.h"
 #include "engine/analysis/problems/sinking.h"
+#include "engine/bake/motion.h"
 #include "engine/base/warning.h"
+#include "engine/timeline/animation.h"
 
 namespace hazumi {
+
+// Beside a flight, where it stands on a pin before and after it, the figure is thrown forward or
+// braked harder than legs can.
+struct ContactJerk {
+  int frame = 0;              // the hardest, of the animation's
+  bool is_landing = false;    // else its take-off
+  double acceleration = 0.0;  // of the centre of mass, horizontal [m/s^2]
+};
+
+// One for each take-off and landing at most, of flights by gravity from one pin to another. Of a
+// motion at the animation's frame rate.
+std::vector<ContactJerk> ContactJerks(const Animation& animation, const Motion& motion);
+
+// What nobody holds goes into something of the scene: nothing stops it but keys.
+struct FallThrough {
+  int object = 0;  // of the animation's held objects
+  int frame = 0;   // the first, of those that an animation numbers
+  std::string obstacle;
+  Vec3 outside = Vec3::Zero();  // where its centre would touch, world [m]
+  Vec3 normal = Vec3::UnitZ();  // of what it touches there
+};
+
+// The first of each object. A box counts as the sphere in it.
+std::vector<FallThrough> FallsThrough(const Animation& animation, const Motion& motion);
 
 // A foot that slides far while it is on the ground.
 struct SlidingFoot {

@@ -26,7 +26,7 @@
 #include "engine/exchange/character/character_bytes.h"
 #include "engine/exchange/reader/read_here.h"
 #include "engine/exchange/reader/whole_file.h"
-#include "engine/picture/decode_here.h"
+#include "engine/picture/decode.h"
 
 namespace {
 

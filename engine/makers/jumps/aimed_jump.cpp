@@ -10,8 +10,7 @@
 #include <cmath>
 
 #include "engine/makers/flights/flight_arc.h"
-#include "engine/makers/jumps/jump_contacts.h"
-#include "engine/makers/jumps/lowest_jump.h"
+#include "engine/makers/jumps/jump_plan.h"
 #include "engine/makers/keyed_moves.h"
 #include "engine/project/edits/curves.h"
 #include "engine/project/edits/entries.h"

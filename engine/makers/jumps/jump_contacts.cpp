@@ -20,13 +20,12 @@
 // in v. As the feet touch, the body sinks a little slower than it came down, so that they press on
 // the ground instead of grazing it.
 
-#include "engine/makers/jumps/jump_contacts.h"
-
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
 #include "engine/base/text.h"
+#include "engine/makers/jumps/jump_plan.h"
 #include "engine/project/edits/curves.h"
 #include "engine/project/edits/entries.h"
 #include "engine/project/edits/keys.h"

@@ -1,9 +1,11 @@
 #pragma once
 
-// Internal: the frames of a jump, how the figure stands in each of its phases, and where. The
-// equations are in jump_plan.cpp.
+// Internal: the frames of a jump, how the figure stands in each of its phases, and where
+// (equations: jump_plan.cpp); how it leaves the ground and comes to it (jump_contacts.cpp); and how
+// high it jumps.
 
 #include <array>
+#include <functional>
 #include <optional>
 
 #include "engine/base/result.h"
@@ -101,5 +103,21 @@ struct JumpPins {
 // Keys where the root is (not its angles), and gives the flight to gravity. Nothing else places the
 // figure then.
 Result<Done> PutJump(const JumpPlan& plan, JumpPins pins, Project* project);
+
+// Sets roots and frames as SetRoots and SetTimes do, leans at take-off and landing that suit the
+// flight, and the rates there, of a plan whose stances are those of kJumpHinges. Errors: theirs,
+// and kSchema if the legs cannot give or take that flight's speed.
+Result<Done> PlanContacts(const Animation& animation, const JumpSpots& spots, double height,
+                          const JumpLengths& lengths, Stage* stage, JumpPlan* plan);
+
+// Keys the planned rates and leans at take-off and landing where keys there have rates. Other
+// curves stay as they are.
+void KeyContacts(const JumpPlan& plan, const Figure& figure, Project* project);
+
+// Jumps so high [m] in a project, which it changes.
+using JumpSoHigh = std::function<Result<JumpReport>(double height, Project* project)>;
+// Jumps as high as is given or, if no height is, as low as it gets there.
+Result<MadeJump> JumpAsLow(std::optional<double> height, const JumpSoHigh& jump,
+                           const Project& project);
 
 }  // namespace hazumi::makers

@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/makers/jumps/jump_contacts.h"
-#include "engine/makers/jumps/lowest_jump.h"
+#include "engine/makers/jumps/jump_plan.h"
 #include "engine/makers/keyed_moves.h"
 #include "engine/project/edits/curves.h"
 #include "engine/project/edits/entries.h"

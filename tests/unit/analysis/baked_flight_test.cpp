@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/analysis/flight_report.h"
 #include "engine/analysis/flights.h"
 #include "engine/bake/bake.h"
 #include "engine/project/compile.h"

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/analysis/low_pass.h"
+#include "engine/analysis/smooth_motion.h"
 #include "tests/support/random.h"
 
 namespace hazumi::test {

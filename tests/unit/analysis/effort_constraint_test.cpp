@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "engine/analysis/effort_report.h"
+#include "engine/analysis/effort.h"
 #include "engine/project/compile.h"
 #include "engine/project/project_reader.h"
 #include "tests/unit/analysis/baked_effort.h"

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstdio>
 
-#include "engine/analysis/effort_report.h"
 #include "engine/dynamics/kinematics.h"
 #include "engine/project/compile.h"
 #include "engine/project/project_reader.h"

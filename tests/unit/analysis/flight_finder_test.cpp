@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "engine/analysis/flight_report.h"
 #include "engine/analysis/flights.h"
 #include "tests/unit/analysis/made_motion.h"
 

@@ -1,12 +1,11 @@
 // Torques of motions without accelerations of the bake, from cubics between frames.
 
-#include "engine/analysis/frame_accelerations.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "engine/analysis/effort.h"
+#include "engine/analysis/smooth_motion.h"
 #include "tests/support/animations.h"
 #include "tests/support/figures.h"
 

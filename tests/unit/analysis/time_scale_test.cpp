@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "engine/analysis/flight_report.h"
+#include "engine/analysis/flights.h"
 
 namespace hazumi {
 namespace {

@@ -8,7 +8,6 @@
 #include <cstdio>
 
 #include "engine/analysis/effort.h"
-#include "engine/analysis/effort_report.h"
 #include "engine/figure/figure_builder.h"
 #include "engine/project/figure_file.h"
 #include "engine/spatial/degrees.h"

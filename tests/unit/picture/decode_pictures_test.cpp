@@ -7,7 +7,6 @@
 
 #include "engine/base/memory.h"
 #include "engine/picture/decode.h"
-#include "engine/picture/decode_here.h"
 #include "engine/picture/picture_bytes.h"
 #include "tests/unit/picture/picture_sample.h"
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/picture/picture_limits.h"
+#include "engine/picture/image.h"
 #include "tests/unit/picture/picture_sample.h"
 
 namespace hazumi {

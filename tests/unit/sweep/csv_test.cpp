@@ -1,7 +1,6 @@
-#include "engine/sweep/csv.h"
-
 #include <gtest/gtest.h>
 
+#include "engine/sweep/table_text.h"
 #include "tests/support/random.h"
 
 namespace hazumi {

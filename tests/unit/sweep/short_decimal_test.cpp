@@ -1,6 +1,6 @@
-#include "engine/sweep/short_decimal.h"
-
 #include <gtest/gtest.h>
+
+#include "engine/sweep/table_text.h"
 
 namespace hazumi::test {
 namespace {

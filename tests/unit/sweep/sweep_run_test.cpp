@@ -6,7 +6,7 @@
 #include "engine/base/text.h"
 #include "engine/project/compile.h"
 #include "engine/project/project_reader.h"
-#include "engine/sweep/csv.h"
+#include "engine/sweep/table_text.h"
 #include "tests/unit/project/sample.h"
 #include "tests/unit/sweep/sweeps.h"
 

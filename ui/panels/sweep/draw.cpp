@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/sweep/short_decimal.h"
+#include "engine/sweep/table_text.h"
 #include "ui/panels/commands/actions.h"
 #include "ui/panels/dialogs/dialogs.h"
 #include "ui/panels/properties/fields.h"
