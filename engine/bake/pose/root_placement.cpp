@@ -1,4 +1,4 @@
-// Keyed and pinned roots [Arai 3.1], and the one place that knows which kinds of placement there are.
+// Keyed and pinned roots [Arai 3.1]. Only this file knows which kinds of placement there are.
 
 #include "engine/bake/pose/root_placement.h"
 
