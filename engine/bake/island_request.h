@@ -7,9 +7,8 @@
 #include <vector>
 
 #include "engine/base/members.h"
-#include "engine/passive/exact/exact_failure.h"
+#include "engine/passive/exact/exact_reports.h"
 #include "engine/passive/exact/impact_log.h"
-#include "engine/passive/exact/instant_report.h"
 #include "engine/passive/forces/force_spec.h"
 #include "engine/passive/region_dynamics.h"
 

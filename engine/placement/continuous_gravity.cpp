@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "engine/base/root.h"
-#include "engine/placement/root_placement.h"
+#include "engine/placement/figure_motion.h"
 
 namespace hazumi {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/placement/root_placement.h"
+#include "engine/placement/figure_motion.h"
 
 namespace hazumi {
 

@@ -17,7 +17,7 @@
 #include "engine/bake/bake.h"
 #include "engine/dynamics/kinematics.h"
 #include "engine/placement/contact.h"
-#include "engine/placement/root_placement.h"
+#include "engine/placement/figure_motion.h"
 #include "tests/property/random_fall.h"
 #include "tests/support/animations.h"
 #include "tests/support/from_environment.h"

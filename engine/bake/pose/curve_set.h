@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "engine/placement/figure_motion.h"
-#include "engine/placement/root_placement.h"
 #include "engine/timeline/animation.h"
 #include "engine/timeline/curve_track.h"
 

@@ -2,7 +2,6 @@
 
 #include "engine/bake/motion.h"
 #include "engine/placement/figure_motion.h"
-#include "engine/placement/root_placement.h"
 #include "engine/spatial/jet.h"
 
 namespace hazumi {

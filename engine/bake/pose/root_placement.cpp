@@ -3,7 +3,7 @@
 #include "engine/bake/pose/root_placement.h"
 
 #include "engine/bake/pose/ballistic_root.h"
-#include "engine/placement/root_placement.h"
+#include "engine/placement/figure_motion.h"
 
 namespace hazumi {
 

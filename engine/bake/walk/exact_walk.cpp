@@ -14,7 +14,7 @@
 #include <utility>
 
 #include "engine/base/text.h"
-#include "engine/placement/root_placement.h"
+#include "engine/placement/figure_motion.h"
 #include "engine/spatial/degrees.h"
 
 namespace hazumi {

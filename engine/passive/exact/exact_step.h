@@ -5,8 +5,7 @@
 #include <vector>
 
 #include "engine/passive/exact/dop853.h"
-#include "engine/passive/exact/exact_failure.h"
-#include "engine/passive/exact/instant_report.h"
+#include "engine/passive/exact/exact_reports.h"
 #include "engine/passive/exact/limit_range.h"
 #include "engine/passive/region_dynamics.h"
 

@@ -1,10 +1,9 @@
-#include "engine/placement/root_placement.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "engine/placement/contact.h"
+#include "engine/placement/figure_motion.h"
 #include "tests/support/stick_figures.h"
 
 namespace hazumi {

@@ -1,4 +1,4 @@
-#include "engine/placement/root_placement.h"
+#include "engine/placement/figure_motion.h"
 
 #include <cmath>
 

@@ -1,5 +1,7 @@
 #pragma once
 
+// Reports of an exact solution: an instant of it, and why it cannot go on.
+
 #include <vector>
 
 #include "engine/passive/contact/contact_push.h"
@@ -21,6 +23,14 @@ struct InstantReport {
   std::vector<ConstraintPush> constraints;  // by index of the island's constraints
   std::vector<ContactPush> contacts;
   std::vector<SpentDrive> spent;
+};
+
+// Why a motion cannot be solved further.
+struct ExactFailure {
+  int hinge;  // free hinge
+  enum class Cause { kStepTooSmall, kTooMuchWork, kEndsApart, kNoHold } cause;
+  double gap = 0.0;     // kEndsApart: that constraints cannot close together [m, rad]
+  int constraint = -1;  // kNoHold: of the island's, that has no hold any more
 };
 
 }  // namespace hazumi
