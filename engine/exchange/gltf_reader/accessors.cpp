@@ -6,7 +6,7 @@
 
 #include "engine/base/base64.h"
 #include "engine/base/utf8.h"
-#include "engine/exchange/gltf_reader/meshopt_view.h"
+#include "engine/exchange/gltf_reader/compression.h"
 
 namespace hazumi {
 namespace {

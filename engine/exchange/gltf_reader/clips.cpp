@@ -1,5 +1,3 @@
-#include "engine/exchange/gltf_reader/clips.h"
-
 #include <algorithm>
 #include <cctype>
 #include <map>
@@ -7,6 +5,7 @@
 #include <set>
 
 #include "engine/base/utf8.h"
+#include "engine/exchange/gltf_reader/gltf_scene.h"
 
 namespace hazumi {
 namespace {

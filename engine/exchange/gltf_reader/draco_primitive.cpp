@@ -1,8 +1,8 @@
-#include "engine/exchange/gltf_reader/draco_primitive.h"
-
 #include <draco/compression/decode.h>
 
 #include <memory>
+
+#include "engine/exchange/gltf_reader/compression.h"
 
 namespace hazumi {
 namespace {

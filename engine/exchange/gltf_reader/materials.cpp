@@ -1,6 +1,5 @@
-#include "engine/exchange/gltf_reader/materials.h"
-
 #include "engine/base/base64.h"
+#include "engine/exchange/gltf_reader/gltf_scene.h"
 
 namespace hazumi {
 namespace {

@@ -1,12 +1,11 @@
-#include "engine/exchange/gltf_reader/meshes.h"
-
 #include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <tuple>
 
-#include "engine/exchange/gltf_reader/draco_primitive.h"
+#include "engine/exchange/gltf_reader/compression.h"
+#include "engine/exchange/gltf_reader/gltf_scene.h"
 
 namespace hazumi {
 namespace {

@@ -1,7 +1,6 @@
-#include "engine/exchange/gltf_reader/meshopt_view.h"
-
 #include <meshoptimizer.h>
 
+#include "engine/exchange/gltf_reader/compression.h"
 #include "engine/exchange/gltf_reader/document.h"
 
 namespace hazumi {

@@ -1,6 +1,5 @@
-#include "engine/exchange/gltf_reader/nodes.h"
-
 #include "engine/exchange/gltf/gltf_bodies.h"
+#include "engine/exchange/gltf_reader/gltf_scene.h"
 
 namespace hazumi {
 namespace {

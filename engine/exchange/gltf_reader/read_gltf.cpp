@@ -3,10 +3,7 @@
 #include <algorithm>
 
 #include "engine/base/utf8.h"
-#include "engine/exchange/gltf_reader/clips.h"
-#include "engine/exchange/gltf_reader/materials.h"
-#include "engine/exchange/gltf_reader/meshes.h"
-#include "engine/exchange/gltf_reader/nodes.h"
+#include "engine/exchange/gltf_reader/gltf_scene.h"
 
 namespace hazumi {
 namespace {
