@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "engine/base/text.h"
-#include "engine/exchange/bvh/bvh_write.h"
+#include "engine/exchange/bvh/bvh_file.h"
 #include "engine/exchange/character/from_motion.h"
 #include "engine/exchange/gltf/gltf_write.h"
 #include "engine/exchange/gltf/held_props.h"

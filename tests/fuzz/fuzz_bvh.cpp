@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "engine/exchange/bvh/bvh_read.h"
+#include "engine/exchange/bvh/bvh_file.h"
 #include "tests/fuzz/imported.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "engine/exchange/bvh/bvh_read.h"
+#include "engine/exchange/bvh/bvh_file.h"
 #include "engine/exchange/character/character_bytes.h"
 
 namespace {

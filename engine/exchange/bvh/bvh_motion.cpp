@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "engine/base/text.h"
-#include "engine/exchange/bvh/frame_time.h"
 #include "engine/exchange/character/key_limit.h"
 
 namespace hazumi {

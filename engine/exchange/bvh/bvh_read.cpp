@@ -1,10 +1,9 @@
-#include "engine/exchange/bvh/bvh_read.h"
-
 #include <array>
 #include <filesystem>
 #include <optional>
 #include <utility>
 
+#include "engine/exchange/bvh/bvh_file.h"
 #include "engine/exchange/bvh/bvh_motion.h"
 #include "engine/exchange/bvh/bvh_scanner.h"
 #include "engine/exchange/bvh/bvh_skeleton.h"

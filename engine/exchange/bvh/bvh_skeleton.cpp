@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "engine/base/utf8.h"
-#include "engine/exchange/bvh/unique_names.h"
+#include "engine/exchange/bvh/bvh_names.h"
 
 namespace hazumi {
 

@@ -4,7 +4,7 @@
 
 #include "engine/base/result.h"
 #include "engine/base/warning.h"
-#include "engine/exchange/bvh/bvh_channel.h"
+#include "engine/exchange/bvh/bvh_names.h"
 #include "engine/exchange/bvh/bvh_scanner.h"
 #include "engine/exchange/character/character.h"
 

@@ -1,5 +1,3 @@
-#include "engine/exchange/bvh/bvh_write.h"
-
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -8,6 +6,7 @@
 #include <vector>
 
 #include "engine/base/assert.h"
+#include "engine/exchange/bvh/bvh_file.h"
 #include "engine/spatial/euler_angles.h"
 
 namespace hazumi {

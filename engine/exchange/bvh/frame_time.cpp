@@ -1,7 +1,7 @@
-#include "engine/exchange/bvh/frame_time.h"
-
 #include <cmath>
 #include <optional>
+
+#include "engine/exchange/bvh/bvh_motion.h"
 
 namespace hazumi {
 

@@ -2,8 +2,8 @@
 
 #include "engine/base/text.h"
 #include "engine/exchange/assimp/assimp_read.h"
+#include "engine/exchange/bvh/bvh_file.h"
 #include "engine/exchange/bvh/bvh_motion.h"
-#include "engine/exchange/bvh/bvh_read.h"
 #include "engine/exchange/character/character_check.h"
 #include "engine/exchange/character/resampled.h"
 #include "engine/exchange/gltf_reader/read_gltf.h"

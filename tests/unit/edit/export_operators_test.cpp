@@ -3,7 +3,7 @@
 #include <iterator>
 
 #include "engine/base/atomic_file.h"
-#include "engine/exchange/bvh/bvh_read.h"
+#include "engine/exchange/bvh/bvh_file.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/edit/sessions.h"
 #include "ui/edit/operators/exported.h"

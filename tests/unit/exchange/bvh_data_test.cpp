@@ -6,7 +6,7 @@
 #include <fstream>
 #include <map>
 
-#include "engine/exchange/bvh/bvh_write.h"
+#include "engine/exchange/bvh/bvh_file.h"
 #include "engine/spatial/degrees.h"
 #include "tests/support/data_folder.h"
 #include "tests/unit/exchange/bvh_sample.h"

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/base/text.h"
-#include "engine/exchange/bvh/frame_time.h"
+#include "engine/exchange/bvh/bvh_motion.h"
 #include "engine/spatial/degrees.h"
 #include "tests/unit/exchange/bvh_sample.h"
 

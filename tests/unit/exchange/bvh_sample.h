@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/exchange/bvh/bvh_read.h"
+#include "engine/exchange/bvh/bvh_file.h"
 
 namespace hazumi::test {
 

@@ -1,7 +1,6 @@
-#include "engine/exchange/bvh/bvh_write.h"
-
 #include <gtest/gtest.h>
 
+#include "engine/exchange/bvh/bvh_file.h"
 #include "engine/spatial/degrees.h"
 #include "tests/unit/exchange/bvh_sample.h"
 

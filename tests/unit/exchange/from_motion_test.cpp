@@ -3,8 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/dynamics/kinematics.h"
-#include "engine/exchange/bvh/bvh_read.h"
-#include "engine/exchange/bvh/bvh_write.h"
+#include "engine/exchange/bvh/bvh_file.h"
 #include "engine/figure/figure_bone.h"
 #include "engine/spatial/euler_angles.h"
 #include "tests/support/figures.h"

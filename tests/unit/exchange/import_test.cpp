@@ -5,7 +5,7 @@
 #include "engine/bake/bake.h"
 #include "engine/base/text.h"
 #include "engine/dynamics/kinematics.h"
-#include "engine/exchange/bvh/bvh_read.h"
+#include "engine/exchange/bvh/bvh_file.h"
 #include "engine/exchange/import/import_project.h"
 #include "engine/figure/figure_builder.h"
 #include "engine/project/compile.h"
