@@ -12,7 +12,6 @@
 #include "engine/base/utf8.h"
 #include "engine/exchange/assimp/assimp_files.h"
 #include "engine/exchange/assimp/assimp_scene.h"
-#include "engine/exchange/assimp/scene_axes.h"
 #include "engine/exchange/collada/collada_motions.h"
 #include "engine/exchange/fbx/fbx_motions.h"
 #include "engine/exchange/fbx/fbx_records.h"

@@ -3,6 +3,7 @@
 #include <assimp/scene.h>
 
 #include "engine/base/result.h"
+#include "engine/exchange/content.h"
 #include "engine/exchange/scene/scene.h"
 
 namespace hazumi {
@@ -13,5 +14,9 @@ Eigen::Matrix4d ToMatrix(const aiMatrix4x4& matrix);
 // file states (FBX). Error: meshes whose indices are out of range, nodes without end.
 Result<Done> AddAssimpScene(const aiScene& from, bool ticks_are_frames, const std::string& file,
                             Scene* scene);
+
+// Sets the scene's up axis and unit from what the format or the file says, and takes off the
+// scene's root what assimp put there for them, so that lengths and axes are the file's own.
+void TakeAxesAndUnit(CharacterFormat format, aiScene* from, Scene* scene);
 
 }  // namespace hazumi

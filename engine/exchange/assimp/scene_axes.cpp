@@ -1,5 +1,3 @@
-#include "engine/exchange/assimp/scene_axes.h"
-
 #include "engine/exchange/assimp/assimp_scene.h"
 #include "engine/exchange/scene/scene_tree.h"
 

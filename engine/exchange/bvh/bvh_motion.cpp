@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "engine/base/text.h"
-#include "engine/exchange/character/key_limit.h"
+#include "engine/exchange/character/character_check.h"
 
 namespace hazumi {
 

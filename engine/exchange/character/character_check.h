@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "engine/base/result.h"
 #include "engine/exchange/character/character.h"
 
@@ -20,5 +22,9 @@ struct CharacterLimits {
 // Error (kSemantics): names the bone, clip or mesh.
 Result<Done> CheckCharacter(const Character& character, const std::string& file,
                             const CharacterLimits& limits = {});
+
+// Error (kSemantics) if a key on each of `frames` frames in `seconds`, for each of `curves` curves,
+// is far more than a project holds. All three may be estimates.
+std::optional<Error> WhyTooManyKeys(double curves, double frames, double seconds);
 
 }  // namespace hazumi

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "engine/exchange/character/axes.h"
-#include "engine/exchange/character/skin_axes.h"
 #include "engine/figure/figure_bone.h"
 
 namespace hazumi {
@@ -203,6 +202,34 @@ int AddSkinBone(const Figure& figure, const Motion& motion, const SkinBone& name
 bool IsOwnBone(const Figure& figure, const FigureBone& bone) {
   if (!bone.body.is_valid()) return true;
   return bone.is_body && figure.group(figure.joint(bone.body).group).last() == bone.body;
+}
+
+Eigen::Matrix4d Turned(const Eigen::Matrix4d& M, const FileAxes& axes) {
+  Eigen::Matrix4d turned = M;
+  turned.topLeftCorner<3, 3>() = axes.Turned(Mat3(M.topLeftCorner<3, 3>()));
+  turned.topRightCorner<3, 1>() = axes.Point(Vec3(M.topRightCorner<3, 1>()));
+  return turned;
+}
+
+// Gives the character the meshes, materials and textures of a figure's skin, in the axes and the
+// unit of the file. `bones`: the character's bone for each of the skin's.
+//
+// With P the matrix that takes metres and Hazumi's axes to the file's, a vertex in the world is
+//   P X_WB M v = (P X_WB P^-1) (P M P^-1) (P v),
+// so that bind matrices M become P M P^-1, poses likewise, and points P v.
+void PutSkinOn(const Skin& skin, const std::vector<int>& bones, const FileAxes& axes,
+               Character* character) {
+  character->materials = skin.materials;
+  character->textures = skin.textures;
+  character->meshes = skin.meshes;
+  for (SkinMesh& mesh : character->meshes) {
+    for (SkinMesh::Bind& bind : mesh.binds) {
+      bind.bone = bones[static_cast<size_t>(bind.bone)];
+      bind.inverse_bind = Turned(bind.inverse_bind, axes);
+    }
+    for (Eigen::Vector3f& position : mesh.positions) position = axes.Point(position);
+    for (Eigen::Vector3f& normal : mesh.normals) normal = axes.Direction(normal);
+  }
 }
 
 }  // namespace

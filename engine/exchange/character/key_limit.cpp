@@ -1,6 +1,5 @@
-#include "engine/exchange/character/key_limit.h"
-
 #include "engine/base/text.h"
+#include "engine/exchange/character/character_check.h"
 #include "engine/project/json/text_file.h"
 
 namespace hazumi {

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "engine/base/text.h"
-#include "engine/exchange/character/key_limit.h"
+#include "engine/exchange/character/character_check.h"
 #include "engine/exchange/import/clip_names.h"
 #include "engine/exchange/import/figure_links.h"
 #include "engine/exchange/import/figure_names.h"
