@@ -10,8 +10,7 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/verify.h"
 #include "engine/base/atomic_file.h"
-#include "engine/exchange/motion_csv.h"
-#include "engine/exchange/motion_json.h"
+#include "engine/exchange/motion_text.h"
 
 namespace hazumi {
 

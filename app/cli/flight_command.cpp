@@ -5,7 +5,7 @@
 #include "app/cli/terminal.h"
 #include "engine/analysis/flights.h"
 #include "engine/analysis/motion_series.h"
-#include "engine/exchange/flight_json.h"
+#include "engine/exchange/motion_text.h"
 
 namespace hazumi {
 

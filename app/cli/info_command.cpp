@@ -8,8 +8,7 @@
 #include "engine/analysis/effort.h"
 #include "engine/analysis/seam_report.h"
 #include "engine/base/text.h"
-#include "engine/exchange/motion_json.h"
-#include "engine/exchange/seam_json.h"
+#include "engine/exchange/motion_text.h"
 #include "engine/exchange/units.h"
 #include "engine/project/project_files.h"
 

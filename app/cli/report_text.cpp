@@ -4,7 +4,7 @@
 #include <map>
 
 #include "engine/base/text.h"
-#include "engine/exchange/motion_json.h"
+#include "engine/exchange/motion_text.h"
 #include "engine/exchange/units.h"
 
 namespace hazumi {

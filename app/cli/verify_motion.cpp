@@ -6,7 +6,7 @@
 #include "app/cli/verify.h"
 #include "engine/base/text.h"
 #include "engine/exchange/export_motion.h"
-#include "engine/exchange/motion_json.h"
+#include "engine/exchange/motion_text.h"
 #include "engine/project/json/text_file.h"
 
 namespace hazumi {

@@ -11,8 +11,7 @@
 #include "engine/exchange/gltf/gltf_write.h"
 #include "engine/exchange/gltf/held_props.h"
 #include "engine/exchange/gltf/motion_extras.h"
-#include "engine/exchange/motion_csv.h"
-#include "engine/exchange/motion_json.h"
+#include "engine/exchange/motion_text.h"
 
 namespace hazumi {
 

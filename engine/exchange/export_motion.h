@@ -10,7 +10,7 @@
 #include "engine/base/result.h"
 #include "engine/base/warning.h"
 #include "engine/exchange/character/character.h"
-#include "engine/exchange/motion_json.h"
+#include "engine/exchange/motion_text.h"
 #include "engine/timeline/animation.h"
 
 namespace hazumi {

@@ -1,9 +1,8 @@
-#include "engine/exchange/flight_json.h"
-
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "engine/analysis/flights.h"
+#include "engine/exchange/motion_text.h"
 
 namespace hazumi {
 

@@ -1,7 +1,6 @@
-#include "engine/exchange/motion_csv.h"
-
 #include "engine/analysis/effort.h"
 #include "engine/base/text.h"
+#include "engine/exchange/motion_text.h"
 #include "engine/exchange/units.h"
 
 namespace hazumi {

@@ -1,5 +1,3 @@
-#include "engine/exchange/motion_json.h"
-
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -10,7 +8,7 @@
 #include "engine/analysis/effort.h"
 #include "engine/base/text.h"
 #include "engine/dynamics/kinematics.h"
-#include "engine/exchange/seam_json.h"
+#include "engine/exchange/motion_text.h"
 #include "engine/exchange/units.h"
 #include "engine/placement/contact.h"
 

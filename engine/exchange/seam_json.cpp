@@ -1,8 +1,7 @@
-#include "engine/exchange/seam_json.h"
-
 #include <nlohmann/json.hpp>
 
 #include "engine/analysis/seam_report.h"
+#include "engine/exchange/motion_text.h"
 #include "engine/exchange/units.h"
 
 namespace hazumi {

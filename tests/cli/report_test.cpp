@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/report_text.h"
-#include "engine/exchange/motion_json.h"
+#include "engine/exchange/motion_text.h"
 #include "engine/spatial/degrees.h"
 #include "tests/support/figures.h"
 

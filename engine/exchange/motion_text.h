@@ -1,10 +1,13 @@
 #pragma once
 
+// Motions, their seams and their analysis as text: JSON and CSV.
+
 #include <array>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "engine/analysis/flights.h"
 #include "engine/bake/motion.h"
 #include "engine/timeline/animation.h"
 
@@ -35,5 +38,20 @@ double StatedDegrees(double radians);
 
 // Every term of the balance and what it leaves unexplained, by its name in JSON [J].
 std::vector<std::pair<std::string, double>> TermsOf(const EnergyBalance& energy);
+
+// A seam as a JSON object; its fields are listed in README.md beside this file.
+std::string SeamToJson(const Animation& animation, const Seam& seam);
+
+// Motion as a table, one row per frame: frame, time [s], root position [m] and quaternion (w x y
+// z), CoM [m], pinned joint (or nothing), then angle [degrees] and rate [degrees/s] of every joint.
+// `torques` adds the torque of every joint [N m], and the residual force [N] and moment [N m].
+// `effort` adds the same torques [N m], their shares of the strength (or nothing), and the residual
+// wrench. analysis/effort.h computes all of them.
+std::string MotionToCsv(const Animation& animation, const Motion& motion, bool torques = false,
+                        bool effort = false);
+
+// The analysis of a motion as JSON (`hazumi-flights`, version 1): metres, seconds, frames of the
+// clip. The fields are listed in README.md beside this file.
+std::string FlightsToJson(const FlightAnalysis& analysis);
 
 }  // namespace hazumi
