@@ -8,9 +8,8 @@
 #include "engine/base/text.h"
 #include "engine/exchange/bvh/bvh_file.h"
 #include "engine/exchange/character/from_motion.h"
+#include "engine/exchange/gltf/gltf_of_motion.h"
 #include "engine/exchange/gltf/gltf_write.h"
-#include "engine/exchange/gltf/held_props.h"
-#include "engine/exchange/gltf/motion_extras.h"
 #include "engine/exchange/motion_text.h"
 
 namespace hazumi {

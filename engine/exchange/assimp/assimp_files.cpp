@@ -1,10 +1,10 @@
-#include "engine/exchange/assimp/assimp_files.h"
-
 #include <assimp/MemoryIOWrapper.h>
 
 #include <cstring>
 #include <filesystem>
 #include <optional>
+
+#include "engine/exchange/assimp/assimp_scene.h"
 
 namespace hazumi {
 

@@ -10,7 +10,6 @@
 #include <optional>
 
 #include "engine/base/utf8.h"
-#include "engine/exchange/assimp/assimp_files.h"
 #include "engine/exchange/assimp/assimp_scene.h"
 #include "engine/exchange/collada/collada_motions.h"
 #include "engine/exchange/fbx/fbx_motions.h"

@@ -1,4 +1,4 @@
-#include "engine/exchange/gltf/gltf_skin.h"
+#include "engine/exchange/gltf/gltf_mesh.h"
 
 namespace hazumi {
 

@@ -9,7 +9,6 @@
 #include "engine/exchange/gltf/gltf_clips.h"
 #include "engine/exchange/gltf/gltf_materials.h"
 #include "engine/exchange/gltf/gltf_mesh.h"
-#include "engine/exchange/gltf/gltf_skin.h"
 
 namespace hazumi {
 

@@ -1,11 +1,10 @@
-#include "engine/exchange/gltf/held_props.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
 
 #include "engine/base/assert.h"
+#include "engine/exchange/gltf/gltf_of_motion.h"
 #include "engine/timeline/scene_object.h"
 
 namespace hazumi {

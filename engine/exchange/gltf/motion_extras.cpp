@@ -1,6 +1,6 @@
-#include "engine/exchange/gltf/motion_extras.h"
-
 #include <nlohmann/json.hpp>
+
+#include "engine/exchange/gltf/gltf_of_motion.h"
 
 namespace hazumi {
 

@@ -1,5 +1,3 @@
-#include "engine/exchange/reader/read_in_child.h"
-
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
