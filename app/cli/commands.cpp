@@ -16,7 +16,6 @@
 #include "engine/base/text.h"
 #include "engine/exchange/content.h"
 #include "engine/exchange/import/import_project.h"
-#include "engine/exchange/import/import_report.h"
 #include "engine/exchange/read_character.h"
 #include "engine/exchange/reader/whole_file.h"
 #include "engine/project/compile.h"

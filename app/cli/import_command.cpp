@@ -4,7 +4,7 @@
 #include "app/cli/exit_codes.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/terminal.h"
-#include "engine/exchange/import/import_report.h"
+#include "engine/exchange/import/import_project.h"
 #include "engine/project/project_writer.h"
 #include "ui/edit/check_saved.h"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/base/result.h"
-#include "engine/exchange/import/import_options.h"
+#include "engine/exchange/import/import_project.h"
 #include "engine/spatial/types.h"
 #include "engine/timeline/animation.h"
 #include "render/motion/motion_scene.h"

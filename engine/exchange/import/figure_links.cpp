@@ -1,7 +1,7 @@
-#include "engine/exchange/import/figure_links.h"
-
 #include <algorithm>
 #include <cmath>
+
+#include "engine/exchange/import/figure_parts.h"
 
 namespace hazumi {
 

@@ -1,8 +1,8 @@
-#include "engine/exchange/import/import_ground.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "engine/exchange/import/figure_parts.h"
 
 namespace hazumi {
 

@@ -1,14 +1,76 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "engine/base/result.h"
-#include "engine/exchange/import/import_options.h"
+#include "engine/base/warning.h"
+#include "engine/child/reader_program.h"
+#include "engine/exchange/character/character.h"
+#include "engine/project/project.h"
 
 namespace hazumi {
+
+// Limits of hinges.
+enum class ImportLimits {
+  kClip,  // as far as the clip goes, and somewhat beyond
+  kNone,  // nowhere
+};
+
+// Limits of the sampling rate [1/s].
+inline constexpr double kLeastImportFps = 0.1, kMostImportFps = 1e4;
+
+struct ImportOptions {
+  std::string character;                  // name of one of several; empty: the one that moves most
+  std::optional<double> fps;              // sampling rate of clips; default: the clip's own
+  std::string clip;                       // by name; empty: the first one
+  std::optional<UpAxis> up;               // not given: the file's, or guessed
+  std::optional<double> metres_per_unit;  // not given: the file's, or guessed from the height
+  std::optional<double> height_m;         // instead of metres_per_unit: how tall it shall be
+  std::optional<double> mass_kg;          // not given: that of a person so tall
+  std::optional<double> reduce_deg;  // fewer keys, this far off at most; not given: every frame
+  ImportLimits limits = ImportLimits::kClip;
+  bool skin = true;
+};
+
+// How the file of an import is read.
+inline ReadOptions ReadOptionsFor(const ImportOptions& options) {
+  ReadOptions reading;
+  reading.character = options.character;
+  reading.rate = options.fps.value_or(0.0);
+  reading.keys_all_frames = !options.reduce_deg;
+  return reading;
+}
+
+// What an import did, for the person who asked for it.
+struct ImportReport {
+  std::vector<std::string> facts;  // sentences: size, axes, clip, keys
+  std::vector<Warning> warnings;   // what was guessed, dropped or repaired
+  UpAxis up = UpAxis::kY;
+  double metres_per_unit = 1.0;
+  bool unit_is_guessed = false;
+  double height_m = 0.0;          // of the figure at rest
+  double position_error_m = 0.0;  // of a joint at any frame, the largest, against the file
+  int num_joints = 0, num_keys = 0;
+};
+
+struct Imported {
+  Project project;
+  ImportReport report;
+};
 
 // A project whose figure is made from the character's bones, with masses and limits, and whose keys
 // are one of its clips. Figures are hinges: what else moves a bone is dropped and named in the
 // report, with the error that this leaves. Errors: kSemantics if no figure can be made of it, or
 // there is no such clip; kSchema if it has more or larger numbers than a project's file holds.
 Result<Imported> ImportProject(const Character& character, const ImportOptions& options);
+
+inline constexpr size_t kShortReport = 10;
+
+// Warnings that say the same of several places become one that names them; of more than `most` the
+// rest is counted. 0: all of them, as they are.
+std::vector<Warning> Shortened(const std::vector<Warning>& warnings, size_t most);
 
 }  // namespace hazumi

@@ -1,7 +1,7 @@
-#include "engine/exchange/import/import_report.h"
-
 #include <algorithm>
 #include <string>
+
+#include "engine/exchange/import/import_project.h"
 
 namespace hazumi {
 

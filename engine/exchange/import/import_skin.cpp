@@ -1,4 +1,4 @@
-#include "engine/exchange/import/import_skin.h"
+#include "engine/exchange/import/figure_parts.h"
 
 namespace hazumi {
 

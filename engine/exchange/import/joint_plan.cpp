@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "engine/base/text.h"
-#include "engine/exchange/import/figure_names.h"
+#include "engine/exchange/import/import_names.h"
 
 namespace hazumi {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/exchange/import/import_options.h"
+#include "engine/exchange/import/import_project.h"
 #include "engine/exchange/import/skeleton.h"
 #include "engine/exchange/import/world_frame.h"
 #include "engine/spatial/euler_angles.h"

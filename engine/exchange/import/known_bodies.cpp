@@ -1,6 +1,6 @@
-#include "engine/exchange/import/known_bodies.h"
-
 #include <cmath>
+
+#include "engine/exchange/import/figure_parts.h"
 
 namespace hazumi {
 

@@ -4,15 +4,13 @@
 // its pieces by m_i ~ V_i exp(lambda t_i), V_i the volume and t_i the place along the segment, with
 // the lambda that puts the centre of mass, the mean of t_i, where the table has it.
 
-#include "engine/exchange/import/mass_shares.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
 
-#include "engine/exchange/import/mesh_volume.h"
+#include "engine/exchange/import/figure_parts.h"
 
 namespace hazumi {
 

@@ -6,9 +6,9 @@
 // What is added at a cut above is taken away below: the sum over k is that of the whole mesh. Over
 // a flat triangle x . n is constant, so that the mean of the weights is exact.
 
-#include "engine/exchange/import/mesh_volume.h"
-
 #include <cmath>
+
+#include "engine/exchange/import/figure_parts.h"
 
 namespace hazumi {
 

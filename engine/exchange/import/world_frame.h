@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/exchange/import/import_options.h"
+#include "engine/exchange/import/import_project.h"
 #include "engine/exchange/import/skeleton.h"
 
 namespace hazumi {

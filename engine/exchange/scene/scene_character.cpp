@@ -3,9 +3,7 @@
 #include <filesystem>
 
 #include "engine/base/utf8.h"
-#include "engine/exchange/scene/scene_clips.h"
-#include "engine/exchange/scene/scene_materials.h"
-#include "engine/exchange/scene/scene_meshes.h"
+#include "engine/exchange/scene/character_parts.h"
 #include "engine/exchange/scene/scene_skeleton.h"
 
 namespace hazumi {

@@ -1,10 +1,9 @@
-#include "engine/exchange/scene/scene_clips.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "engine/base/text.h"
 #include "engine/base/utf8.h"
+#include "engine/exchange/scene/character_parts.h"
 #include "engine/exchange/scene/clip_sampler.h"
 
 namespace hazumi {

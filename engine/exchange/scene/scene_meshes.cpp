@@ -1,9 +1,8 @@
-#include "engine/exchange/scene/scene_meshes.h"
-
 #include <Eigen/LU>
 #include <algorithm>
 
 #include "engine/base/utf8.h"
+#include "engine/exchange/scene/character_parts.h"
 
 namespace hazumi {
 namespace {

@@ -1,11 +1,9 @@
-#include "engine/exchange/import/figure_names.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
+#include "engine/exchange/import/import_names.h"
 #include "engine/exchange/import/import_project.h"
-#include "engine/exchange/import/import_report.h"
 #include "engine/project/project_reader.h"
 #include "engine/project/project_writer.h"
 #include "tests/unit/exchange/made_characters.h"

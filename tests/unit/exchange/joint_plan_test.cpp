@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/exchange/import/import_skin.h"
+#include "engine/exchange/import/figure_parts.h"
 #include "engine/figure/skin.h"
 #include "engine/spatial/degrees.h"
 #include "tests/unit/exchange/made_characters.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/exchange/import/import_options.h"
+#include "engine/exchange/import/import_project.h"
 #include "ui/edit/session/session.h"
 
 namespace hazumi::edit {

@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "engine/base/result.h"
-#include "engine/exchange/import/import_options.h"
+#include "engine/exchange/import/import_project.h"
 
 namespace hazumi::ui {
 

@@ -1,4 +1,4 @@
-#include "engine/exchange/import/figure_names.h"
+#include "engine/exchange/import/import_names.h"
 
 #include <algorithm>
 #include <unordered_set>
@@ -8,6 +8,9 @@
 namespace hazumi {
 
 namespace {
+
+constexpr size_t kMostBytes = 100;  // of a name
+constexpr size_t kMostNames = 100;
 
 constexpr size_t kLongest = 200;  // bytes
 
@@ -49,6 +52,22 @@ class TakenNames {
 };
 
 }  // namespace
+
+std::string Quoted(const std::string& name) {
+  if (name.size() <= kMostBytes) return "\"" + name + "\"";
+  size_t end = kMostBytes;
+  while (end > 0 && (name[end] & 0xC0) == 0x80) --end;  // not within a letter
+  return "\"" + ValidUtf8(name.substr(0, end)) + "...\"";
+}
+
+std::string NamesOf(const std::vector<Clip>& clips) {
+  std::string names;
+  for (size_t i = 0; i < std::min(clips.size(), kMostNames); ++i)
+    names += (i > 0 ? ", " : "") + Quoted(clips[i].name);
+  if (clips.size() > kMostNames)
+    names += " and " + std::to_string(clips.size() - kMostNames) + " more";
+  return names;
+}
 
 std::string HingeName(int axis) { return std::string(1, "xyz"[axis]); }
 

@@ -1,13 +1,20 @@
 #pragma once
 
-// Internal. Names that a project can hold.
+// Internal. Names: of clips in messages, and those that a project can hold.
 
 #include <string>
 #include <vector>
 
-#include "engine/exchange/import/import_options.h"
+#include "engine/exchange/character/character.h"
+#include "engine/exchange/import/import_project.h"
 
 namespace hazumi {
+
+// A name in quotation marks, as much of it as a line of text has room for.
+std::string Quoted(const std::string& name);
+
+// The names of the first hundred clips, and how many more there are.
+std::string NamesOf(const std::vector<Clip>& clips);
 
 // "x", "y" or "z" by the axis that a hinge turns about.
 std::string HingeName(int axis);
