@@ -3,7 +3,6 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/option_values.h"
 #include "app/cli/pictures.h"
-#include "app/cli/progress.h"
 #include "app/cli/terminal.h"
 #include "app/cli/verify.h"
 #include "engine/base/atomic_file.h"

@@ -1,7 +1,6 @@
 #pragma once
 
-// What `hazumi --help` prints, from the table of options; at most 80 columns wide. And what help
-// and manual page say besides the table.
+// Help and manual page, from the table of options, and what both say besides the table.
 
 #include <span>
 #include <string>
@@ -10,7 +9,11 @@
 
 namespace hazumi {
 
+// What `hazumi --help` prints, at most 80 columns wide.
 std::string HelpText();
+
+// The manual page hazumi(1), in the macros of man(7).
+std::string ManPage();
 
 struct ExitMeaning {
   ExitCode code;

@@ -1,5 +1,3 @@
-#include "app/cli/man_page.h"
-
 #include <algorithm>
 #include <string_view>
 

@@ -1,8 +1,8 @@
 #pragma once
 
-// The one table of what can be said on the command line. What is taken (options.cpp), the help
-// (help_text.h), the manual page (man_page.h) and what shells complete (completion.h) follow from
-// it: a new option is a new entry in the file of its section (table/), and a member of Options.
+// The one table of what can be said on the command line. What is taken (options.cpp), the help and
+// the manual page (help_text.h) and what shells complete (completion.h) follow from it: a new
+// option is a new entry in the file of its section (table/), and a member of Options.
 
 #include <span>
 #include <string>

@@ -8,8 +8,8 @@
 #include "app/cli/frame_names.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/pictures.h"
-#include "app/cli/progress.h"
 #include "app/cli/report_text.h"
+#include "app/cli/terminal.h"
 #include "app/cli/verify.h"
 #include "engine/base/version.h"
 

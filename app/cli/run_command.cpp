@@ -3,7 +3,9 @@
 #include <vector>
 
 #include "app/cli/commands.h"
+#include "app/cli/completion.h"
 #include "app/cli/exit_codes.h"
+#include "app/cli/help_text.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/terminal.h"
 #include "engine/project/json/text_file.h"
@@ -129,6 +131,16 @@ int RunOperators() {
 
 int RunSchema() {
   std::fputs(ProjectSchema().c_str(), stdout);
+  return kExitOk;
+}
+
+int RunManual() {
+  std::fputs(ManPage().c_str(), stdout);
+  return kExitOk;
+}
+
+int RunCompletion(const Options& options) {
+  std::fputs(CompletionFor(options.shell).c_str(), stdout);
   return kExitOk;
 }
 

@@ -7,7 +7,6 @@
 #include "app/cli/commands.h"
 #include "app/cli/exit_codes.h"
 #include "app/cli/interrupt.h"
-#include "app/cli/progress.h"
 #include "app/cli/sweep_sheet.h"
 #include "app/cli/terminal.h"
 #include "engine/base/memory.h"

@@ -25,4 +25,17 @@ int FinishOutput(int exit_code);
 // Prints "hazumi: MESSAGE" and where to find help to standard error. Returns kExitUsage.
 int ComplainOfUsage(const std::string& message);
 
+// Progress on standard error: a bar on a terminal, else a line a step.
+class Progress {
+ public:
+  Progress(std::string what, int total);
+  void Report(int done, const std::string& detail);
+  void Finish();
+
+ private:
+  std::string what_;
+  int total_;
+  bool on_terminal_;
+};
+
 }  // namespace hazumi

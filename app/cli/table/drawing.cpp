@@ -3,7 +3,6 @@
 #include <limits>
 
 #include "app/cli/option_values.h"
-#include "app/cli/table/read.h"
 #include "app/cli/table/sections.h"
 
 namespace hazumi {

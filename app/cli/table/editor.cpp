@@ -1,6 +1,5 @@
 // What the editor takes.
 
-#include "app/cli/table/read.h"
 #include "app/cli/table/sections.h"
 
 namespace hazumi {

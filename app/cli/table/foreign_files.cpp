@@ -1,7 +1,6 @@
 // How files of other programs are read.
 
 #include "app/cli/option_values.h"
-#include "app/cli/table/read.h"
 #include "app/cli/table/sections.h"
 
 namespace hazumi {

@@ -1,7 +1,6 @@
 // How motion is computed, instead of what the file and its regions say.
 
 #include "app/cli/option_values.h"
-#include "app/cli/table/read.h"
 #include "app/cli/table/sections.h"
 #include "engine/project/fields/project_fields.h"
 

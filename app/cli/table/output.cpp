@@ -1,7 +1,6 @@
 // What is written, and in which units and frames.
 
 #include "app/cli/option_values.h"
-#include "app/cli/table/read.h"
 #include "app/cli/table/sections.h"
 
 namespace hazumi {

@@ -1,6 +1,5 @@
 // Where a sweep's results go, and which share of them is computed.
 
-#include "app/cli/table/read.h"
 #include "app/cli/table/sections.h"
 
 namespace hazumi {
