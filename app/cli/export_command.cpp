@@ -8,7 +8,7 @@
 #include "engine/base/atomic_file.h"
 #include "engine/base/version.h"
 #include "engine/exchange/export_motion.h"
-#include "render/motion/links_skin.h"
+#include "render/motion/figure_skin.h"
 #include "render/pipeline/video.h"
 #include "ui/edit/media_files.h"
 #include "ui/edit/operators/exported.h"

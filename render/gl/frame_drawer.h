@@ -1,9 +1,9 @@
 #pragma once
 
+#include "render/gl/draw_targets.h"
 #include "render/gl/ground_pass.h"
 #include "render/gl/lighting.h"
 #include "render/gl/picture_pass.h"
-#include "render/gl/picture_target.h"
 #include "render/gl/renderer.h"
 #include "render/gl/shadow_map.h"
 #include "render/gl/skin_pass.h"

@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "render/gl/drawn_texture.h"
+#include "render/gl/draw_targets.h"
 #include "render/gl/interface_changes.h"
 #include "render/gl/shader_program.h"
 #include "render/gl/shaders.h"

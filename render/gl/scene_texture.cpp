@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "render/gl/drawn_texture.h"
+#include "render/gl/draw_targets.h"
 
 namespace hazumi::render {
 

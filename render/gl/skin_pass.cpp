@@ -5,7 +5,7 @@
 #include <string>
 
 #include "render/gl/shaders.h"
-#include "render/scene/skin_levels.h"
+#include "render/scene/skin_triangles.h"
 
 namespace hazumi::render {
 namespace {

@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "engine/dynamics/workspace.h"
+#include "engine/figure/figure.h"
 #include "engine/figure/figure_bone.h"
+#include "engine/figure/skin.h"
 #include "render/scene/skinned.h"
 
 namespace hazumi::render {
@@ -37,5 +39,11 @@ class SkinCache {
   std::shared_ptr<const SkinModel> model_;
   std::vector<Warning> warnings_;
 };
+
+// What a figure of capsules looks like, as a skin for other programs: a mesh for each colour, in
+// the pose of all angles zero with the root at the origin, each vertex bound to one body. Vertices
+// that agree in place and normal are one. `columns`, a multiple of 4 and at least 8, are the facets
+// around a capsule.
+Skin SkinOfLinks(const Figure& figure, int columns = 16);
 
 }  // namespace hazumi::render

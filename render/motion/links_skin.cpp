@@ -1,5 +1,3 @@
-#include "render/motion/links_skin.h"
-
 #include <array>
 #include <cmath>
 #include <map>
@@ -7,6 +5,7 @@
 
 #include "engine/dynamics/kinematics.h"
 #include "render/mesh/solid_mesh.h"
+#include "render/motion/figure_skin.h"
 #include "render/motion/motion_scene.h"
 #include "render/motion/object_scene.h"
 

@@ -2,11 +2,11 @@
 // quadric error), each level from all triangles, as far as an error that doubles from level to
 // level.
 
-#include "render/scene/skin_levels.h"
-
 #include <meshoptimizer.h>
 
 #include <algorithm>
+
+#include "render/scene/skin_triangles.h"
 
 namespace hazumi::render {
 namespace {

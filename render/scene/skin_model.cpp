@@ -7,8 +7,7 @@
 
 #include "engine/figure/skin.h"
 #include "engine/picture/decode_pictures.h"
-#include "render/scene/skin_levels.h"
-#include "render/scene/skin_surface.h"
+#include "render/scene/skin_triangles.h"
 
 namespace hazumi::render {
 namespace {

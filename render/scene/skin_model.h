@@ -28,7 +28,7 @@ struct Extent {
 struct SkinModel {
   enum class Surface {
     kClosed,  // only its outer side is seen
-    kOpen,    // both sides are (skin_surface.h)
+    kOpen,    // both sides are (skin_triangles.h)
     kCutout,  // so, with holes where the texture is clear
   };
   // Triangles that stand for a part, and how far from it about they may lie.
@@ -38,7 +38,7 @@ struct SkinModel {
   };
   // Triangles of a mesh that are drawn alike.
   struct Part {
-    std::vector<Level> levels;  // all triangles first, then fewer and fewer (skin_levels.h)
+    std::vector<Level> levels;  // all triangles first, then fewer and fewer (skin_triangles.h)
     Surface surface = Surface::kOpen;
     bool is_mirrored = false;         // the binds turn the winding around
     std::array<float, 4> base_color;  // linear RGB, alpha

@@ -1,9 +1,9 @@
-#include "render/scene/skin_surface.h"
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <numeric>
+
+#include "render/scene/skin_triangles.h"
 
 namespace hazumi::render {
 namespace {

@@ -13,7 +13,7 @@
 #include "engine/project/compile.h"
 #include "engine/project/project_reader.h"
 #include "engine/project/project_writer.h"
-#include "render/motion/links_skin.h"
+#include "render/motion/figure_skin.h"
 #include "tests/support/temporary_folder.h"
 
 namespace hazumi::test {

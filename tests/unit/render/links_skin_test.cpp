@@ -1,11 +1,10 @@
-#include "render/motion/links_skin.h"
-
 #include <gtest/gtest.h>
 
 #include <map>
 
 #include "engine/dynamics/kinematics.h"
 #include "engine/figure/figure_builder.h"
+#include "render/motion/figure_skin.h"
 #include "tests/support/stick_figures.h"
 
 namespace hazumi::render {

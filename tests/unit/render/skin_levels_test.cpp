@@ -1,7 +1,5 @@
 // Of the shipped human's skin.
 
-#include "render/scene/skin_levels.h"
-
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -11,6 +9,7 @@
 #include <utility>
 
 #include "engine/project/project_figure.h"
+#include "render/scene/skin_triangles.h"
 
 namespace hazumi::render {
 namespace {

@@ -9,7 +9,7 @@
 #include "engine/base/text.h"
 #include "engine/project/checks/joint_names.h"
 #include "engine/project/project_files.h"
-#include "render/motion/links_skin.h"
+#include "render/motion/figure_skin.h"
 #include "ui/edit/document/changed_frames.h"
 #include "ui/edit/operators/keys/at_frame.h"
 #include "ui/panels/commands/actions.h"

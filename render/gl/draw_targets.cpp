@@ -1,6 +1,7 @@
-#include "render/gl/picture_target.h"
+#include "render/gl/draw_targets.h"
 
 namespace hazumi::render {
+
 namespace {
 
 void Attach(const GlFunctions& gl, GLuint buffer, GLenum place, GLenum format, PictureSize size,
@@ -38,6 +39,20 @@ void PictureTarget::ResolveTo(GLuint framebuffer, const PictureArea& area) const
   gl_->BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
   gl_->BlitFramebuffer(area.left, area.bottom, area.right, area.top, area.left, area.bottom,
                        area.right, area.top, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
+bool DrawnTexture::Begin(const GlFunctions& gl, PictureSize size) {
+  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
+  if (size_.width == size.width && size_.height == size.height) return false;
+  size_ = size;
+  gl.BindTexture(GL_TEXTURE_2D, texture_.id());
+  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, size.width, size.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                nullptr);
+  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) {
+    gl.TexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
+  }
+  gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_.id(), 0);
+  return true;
 }
 
 }  // namespace hazumi::render

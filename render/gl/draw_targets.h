@@ -1,6 +1,9 @@
 #pragma once
 
+// Framebuffers that are drawn into: of a picture, and of a texture for a window.
+
 #include "render/gl/gl_name.h"
+#include "render/mesh/flat_mesh.h"
 #include "render/mesh/picture_area.h"
 
 namespace hazumi::render {
@@ -27,6 +30,23 @@ class PictureTarget {
   PictureSize size_;
   GlFramebuffer framebuffer_;
   GlRenderbuffer color_, depth_;
+};
+
+// A texture of a window's pixels, shown one to one, with a framebuffer that draws into it.
+class DrawnTexture {
+ public:
+  explicit DrawnTexture(const GlFunctions& gl) : texture_(gl), framebuffer_(gl) {}
+
+  // Binds the framebuffer. True if the texture is of another size than before; then it is empty.
+  bool Begin(const GlFunctions& gl, PictureSize size);
+  PictureSize size() const { return size_; }
+  GLuint texture() const { return texture_.id(); }
+  GLuint framebuffer() const { return framebuffer_.id(); }
+
+ private:
+  GlTexture texture_;
+  GlFramebuffer framebuffer_;
+  PictureSize size_;
 };
 
 }  // namespace hazumi::render
