@@ -11,7 +11,7 @@
 #include "render/motion/figure_skin.h"
 #include "render/pipeline/video.h"
 #include "ui/edit/media_files.h"
-#include "ui/edit/operators/exported.h"
+#include "ui/edit/operators/foreign_files.h"
 
 namespace hazumi {
 

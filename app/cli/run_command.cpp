@@ -10,7 +10,7 @@
 #include "app/cli/terminal.h"
 #include "engine/project/json/text_file.h"
 #include "engine/project/project_reader.h"
-#include "ui/edit/recovery/state_folder.h"
+#include "ui/edit/recovery/recovery.h"
 #include "ui/edit/script.h"
 #include "ui/panels/commands/actions.h"
 #include "ui/shell/scripted_editor.h"

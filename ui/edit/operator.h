@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/base/result.h"
+#include "engine/project/project.h"
 #include "ui/edit/parameters.h"
 
 namespace hazumi::edit {
@@ -23,5 +24,11 @@ struct Operator {
 // All operators, by id.
 const std::vector<Operator>& AllOperators();
 const Operator* FindOperator(const std::string& id);
+
+// Result of an operator: what it made and measured.
+struct Outcome {
+  std::vector<std::string> made;        // addresses of the items that are new (field_address.h)
+  std::vector<Named<double>> measured;  // such as {"release", 12}: names say the unit
+};
 
 }  // namespace hazumi::edit

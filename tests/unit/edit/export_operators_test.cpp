@@ -6,7 +6,7 @@
 #include "engine/exchange/bvh/bvh_file.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/edit/sessions.h"
-#include "ui/edit/operators/exported.h"
+#include "ui/edit/operators/foreign_files.h"
 
 namespace hazumi::test {
 namespace {

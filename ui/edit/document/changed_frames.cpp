@@ -1,11 +1,10 @@
-#include "ui/edit/document/changed_frames.h"
-
 #include <algorithm>
 #include <map>
 #include <string>
 #include <utility>
 
 #include "engine/project/items.h"
+#include "ui/edit/document/change.h"
 
 namespace hazumi::edit {
 

@@ -1,7 +1,9 @@
 #include "ui/edit/document/document.h"
 
-#include "ui/edit/document/file_digest.h"
-#include "ui/edit/document/give_ids.h"
+#include <cstdint>
+#include <cstdio>
+
+#include "engine/project/json/text_file.h"
 
 namespace hazumi::edit {
 
@@ -150,6 +152,21 @@ void Document::Forget() {
     ++forgotten_;
   }
   if (saved_ && *saved_ < forgotten_) saved_.reset();
+}
+
+std::string DigestOf(std::string_view text) {
+  uint64_t hash = 0xcbf29ce484222325;
+  for (const char byte : text) {
+    hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3;
+  }
+  char digits[17];
+  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(hash));
+  return digits;
+}
+
+std::string DigestOfFile(const std::string& path) {
+  const Result<std::string> text = ReadTextFile(path);
+  return text.ok() ? DigestOf(text.value()) : "";
 }
 
 }  // namespace hazumi::edit

@@ -3,8 +3,10 @@
 #include <deque>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "engine/project/edits/key_selection.h"
+#include "engine/project/project.h"
 #include "ui/edit/document/change.h"
 
 namespace hazumi::edit {
@@ -131,5 +133,14 @@ class Transaction {
   Document::State before_;
   bool is_committed_ = false;
 };
+
+// Gives an id to each item of the project's lists that has none, or has that of one before it, as a
+// copy of an item has. Ids are given in order, from `next` on, which moves on.
+void GiveIds(Project* project, int* next);
+
+// Digest of a text: FNV-1a, 64 bits, in hexadecimal.
+std::string DigestOf(std::string_view text);
+// Digest of what a project's file holds; empty if it cannot be read.
+std::string DigestOfFile(const std::string& path);
 
 }  // namespace hazumi::edit

@@ -1,8 +1,7 @@
-#include "ui/edit/document/give_ids.h"
-
 #include <vector>
 
 #include "engine/project/items.h"
+#include "ui/edit/document/document.h"
 
 namespace hazumi::edit {
 

@@ -11,8 +11,7 @@
 #include "engine/project/checks/joint_names.h"
 #include "engine/spatial/euler_angles.h"
 #include "ui/edit/fields/item_fields.h"
-#include "ui/edit/operators/constrained_objects.h"
-#include "ui/edit/operators/held/held_objects.h"
+#include "ui/edit/operators/objects.h"
 
 namespace hazumi::edit {
 

@@ -3,7 +3,7 @@
 #include "engine/base/atomic_file.h"
 #include "engine/base/text.h"
 #include "ui/edit/operators/edits.h"
-#include "ui/edit/operators/exported.h"
+#include "ui/edit/operators/foreign_files.h"
 
 namespace hazumi::edit {
 

@@ -1,11 +1,10 @@
-#include "ui/edit/operators/exported.h"
-
 #include <filesystem>
 
 #include "engine/bake/bake.h"
 #include "engine/base/input_files.h"
 #include "engine/base/version.h"
 #include "ui/edit/operators/edits.h"
+#include "ui/edit/operators/foreign_files.h"
 
 namespace hazumi::edit {
 

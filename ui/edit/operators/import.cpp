@@ -3,7 +3,7 @@
 #include "engine/exchange/import/import_project.h"
 #include "engine/exchange/read_character.h"
 #include "ui/edit/operators/edits.h"
-#include "ui/edit/operators/imported.h"
+#include "ui/edit/operators/foreign_files.h"
 
 namespace hazumi::edit {
 

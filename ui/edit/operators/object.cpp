@@ -4,9 +4,8 @@
 #include <cmath>
 
 #include "ui/edit/fields/item_fields.h"
-#include "ui/edit/operators/constrained_objects.h"
 #include "ui/edit/operators/edits.h"
-#include "ui/edit/operators/held/held_objects.h"
+#include "ui/edit/operators/objects.h"
 
 namespace hazumi::edit {
 

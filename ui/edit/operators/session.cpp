@@ -8,7 +8,7 @@
 #include "engine/project/project_reader.h"
 #include "engine/project/project_writer.h"
 #include "ui/edit/check_saved.h"
-#include "ui/edit/document/file_digest.h"
+#include "ui/edit/document/document.h"
 #include "ui/edit/fields/item_fields.h"
 #include "ui/edit/new_project.h"
 #include "ui/edit/operators/edits.h"

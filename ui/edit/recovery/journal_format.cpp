@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "engine/base/utf8.h"
-#include "ui/edit/document/file_digest.h"
+#include "ui/edit/document/document.h"
 
 namespace hazumi::edit {
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -42,5 +43,10 @@ Result<Recovered> RecoverJournal(const std::string& file, Session* session);
 
 // Errors: kFailed if a Hazumi which runs has it.
 Result<Done> DiscardJournal(const std::string& file);
+
+// Where what outlives the program, and is no document, is kept: $XDG_STATE_HOME/hazumi, else
+// ~/.local/state/hazumi. `variable` looks up the environment and may give null: std::getenv.
+// Error: kFailed if there is no home either.
+Result<std::string> StateFolder(const std::function<const char*(const char* name)>& variable);
 
 }  // namespace hazumi::edit

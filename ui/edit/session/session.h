@@ -11,7 +11,6 @@
 #include "ui/edit/document/document.h"
 #include "ui/edit/media_files.h"
 #include "ui/edit/operator.h"
-#include "ui/edit/outcome.h"
 #include "ui/edit/session/background_bake.h"
 
 namespace hazumi::edit {

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "ui/edit/operators/exported.h"
+#include "ui/edit/operators/foreign_files.h"
 #include "ui/panels/dialogs/background_task.h"
 #include "ui/panels/dialogs/export_summary.h"
 #include "ui/panels/dialogs/render_job.h"

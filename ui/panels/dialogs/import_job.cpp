@@ -5,7 +5,7 @@
 #include "engine/base/memory.h"
 #include "engine/exchange/import/import_project.h"
 #include "engine/exchange/read_character.h"
-#include "ui/edit/operators/imported.h"
+#include "ui/edit/operators/foreign_files.h"
 #include "ui/panels/dialogs/dialogs.h"
 
 namespace hazumi::ui {

@@ -6,8 +6,7 @@
 #include "engine/project/edits/placements.h"
 #include "ui/edit/operators/edits.h"
 #include "ui/edit/operators/keys/at_frame.h"
-#include "ui/edit/operators/pose/flipped_pose.h"
-#include "ui/edit/operators/pose/posed_curves.h"
+#include "ui/edit/operators/pose/posing.h"
 #include "ui/panels/poses/share_tool.h"
 
 namespace hazumi::ui {

@@ -10,7 +10,7 @@
 #include "engine/project/checks/joint_names.h"
 #include "engine/project/project_files.h"
 #include "render/motion/figure_skin.h"
-#include "ui/edit/document/changed_frames.h"
+#include "ui/edit/document/change.h"
 #include "ui/edit/operators/keys/at_frame.h"
 #include "ui/panels/commands/actions.h"
 #include "ui/panels/dialogs/dialogs.h"

@@ -10,7 +10,7 @@
 #include "tests/unit/edit/random/likely_numbers.h"
 #include "ui/edit/fields/item_fields.h"
 #include "ui/edit/operators/edits.h"
-#include "ui/edit/operators/pose/posed_curves.h"
+#include "ui/edit/operators/pose/posing.h"
 
 namespace hazumi::test {
 

@@ -1,7 +1,6 @@
-#include "ui/edit/document/changed_frames.h"
-
 #include <gtest/gtest.h>
 
+#include "ui/edit/document/change.h"
 #include "ui/edit/session/session.h"
 
 namespace hazumi::test {

@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include "ui/edit/document/give_ids.h"
 #include "ui/edit/new_project.h"
 
 namespace hazumi::test {

@@ -15,7 +15,7 @@
 #include "tests/support/from_environment.h"
 #include "tests/unit/edit/random/random_operators.h"
 #include "tests/unit/edit/session/journals.h"
-#include "ui/edit/document/file_digest.h"
+#include "ui/edit/document/document.h"
 
 namespace hazumi::test {
 namespace {

@@ -8,7 +8,7 @@
 #include "engine/project/project_reader.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/edit/sessions.h"
-#include "ui/edit/recovery/state_folder.h"
+#include "ui/edit/recovery/recovery.h"
 #include "ui/edit/script.h"
 
 namespace hazumi::test {

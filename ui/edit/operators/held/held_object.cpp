@@ -7,8 +7,7 @@
 #include "engine/exchange/read_character.h"
 #include "engine/spatial/euler_angles.h"
 #include "ui/edit/fields/item_fields.h"
-#include "ui/edit/operators/constrained_objects.h"
-#include "ui/edit/operators/held/held_objects.h"
+#include "ui/edit/operators/objects.h"
 
 namespace hazumi::edit {
 

@@ -1,5 +1,3 @@
-#include "ui/edit/operators/pose/flipped_pose.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,6 +7,7 @@
 #include "engine/project/edits/placements.h"
 #include "engine/spatial/euler_angles.h"
 #include "ui/edit/operators/edits.h"
+#include "ui/edit/operators/pose/posing.h"
 
 namespace hazumi::edit {
 

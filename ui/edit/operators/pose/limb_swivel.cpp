@@ -1,5 +1,3 @@
-#include "ui/edit/operators/pose/limb_swivel.h"
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>

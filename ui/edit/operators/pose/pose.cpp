@@ -4,8 +4,7 @@
 
 #include "engine/project/edits/curves.h"
 #include "ui/edit/operators/edits.h"
-#include "ui/edit/operators/pose/flipped_pose.h"
-#include "ui/edit/operators/pose/posed_curves.h"
+#include "ui/edit/operators/pose/posing.h"
 
 namespace hazumi::edit {
 

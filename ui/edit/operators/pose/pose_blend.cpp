@@ -1,8 +1,7 @@
 // A part of the way from one pose to another: to given angles, and between the keys around.
 
 #include "ui/edit/operators/edits.h"
-#include "ui/edit/operators/pose/flipped_pose.h"
-#include "ui/edit/operators/pose/posed_curves.h"
+#include "ui/edit/operators/pose/posing.h"
 
 namespace hazumi::edit {
 

@@ -2,9 +2,8 @@
 
 #include "engine/dynamics/kinematics.h"
 #include "ui/edit/operators/edits.h"
-#include "ui/edit/operators/pose/flipped_pose.h"
 #include "ui/edit/operators/pose/limb_chain.h"
-#include "ui/edit/operators/pose/limb_swivel.h"
+#include "ui/edit/operators/pose/posing.h"
 #include "ui/edit/operators/pose/turned_hinges.h"
 
 namespace hazumi::edit {

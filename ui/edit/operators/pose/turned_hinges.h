@@ -1,6 +1,7 @@
 #pragma once
 
-// Internal: turning a body by the hinges that carry it.
+// Internal: turning a body by the hinges that carry it, and a limb about the line from its first
+// joint to its end, which stays.
 
 #include <vector>
 
@@ -19,5 +20,22 @@ double TurnHinges(JointIndex body, const Mat3& R_WB, const std::vector<JointInde
 // root outwards: its own and those of the joint before whose axes go through it (a pronation).
 std::vector<JointIndex> TurnInPlace(GroupIndex joint, const std::vector<JointIndex>& may_turn,
                                     const Figure& figure, const DynamicsWorkspace& ws);
+
+// From the joint that stays, a wrist or an ankle, to the first one, which turns.
+struct Limb {
+  GroupIndex end, first;
+};
+
+// Changes the angles `q` of `hinges`, the first joint's, so that the limb goes round by `angle`
+// [rad], or as far as their limits let it, in steps so that it goes the way that the eye follows.
+// `ws`: where everything is with the angles as they are. How far it went [rad].
+double TurnLimb(double angle, const Limb& limb, const std::vector<JointIndex>& hinges,
+                const Figure& figure, const DynamicsWorkspace& ws, VecX* q);
+
+// Where what lies between the limb's first joint and its end, such as a forearm, is inside of the
+// body that the limb hangs on, turns the limb out of it, by the least angle that does. If none does
+// it stays as it is. `X_WR`: the root in the world.
+void TurnOutOfBody(const Limb& limb, const std::vector<JointIndex>& hinges, const Figure& figure,
+                   const hazumi::Pose& X_WR, VecX* q);
 
 }  // namespace hazumi::edit

@@ -1,11 +1,12 @@
 #pragma once
 
-// The motion of a session as a file of another program.
+// Files of other programs: the motion of a session as one, and the project made of one.
 
 #include <optional>
 #include <string>
 
 #include "engine/exchange/export_motion.h"
+#include "engine/exchange/import/import_project.h"
 #include "engine/project/project_figure.h"
 #include "ui/edit/session/session.h"
 
@@ -45,5 +46,8 @@ Result<std::string> BytesOf(const ExportSource& source, const ExportSettings& se
 // Error (kCannotWrite) if a file cannot be written there: no folder, a folder of this name, or an
 // input of the program. To be asked before anything is computed.
 std::optional<Error> CheckPlace(const std::string& path);
+
+// Makes an imported project that of the session: not saved, without a file, nothing to undo.
+void TakeImported(Imported imported, Session* session);
 
 }  // namespace hazumi::edit
