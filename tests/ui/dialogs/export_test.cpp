@@ -9,7 +9,7 @@
 
 #include "tests/support/temporary_folder.h"
 #include "ui/panels/dialogs/dialogs.h"
-#include "ui/panels/dialogs/export_texts.h"
+#include "ui/panels/dialogs/export_summary.h"
 #include "ui/shell/offscreen_shell.h"
 
 namespace hazumi::ui {

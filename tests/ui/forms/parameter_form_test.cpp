@@ -6,8 +6,7 @@
 
 #include "tests/ui/user.h"
 #include "ui/panels/dialogs/dialogs.h"
-#include "ui/panels/forms/options.h"
-#include "ui/panels/forms/suggestions.h"
+#include "ui/panels/forms/offers.h"
 
 namespace hazumi::ui {
 namespace {

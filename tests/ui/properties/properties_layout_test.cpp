@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "ui/edit/operators/keys/at_frame.h"
-#include "ui/panels/properties/field_state.h"
 #include "ui/panels/properties/layout.h"
 #include "ui/panels/text/catalogue.h"
 

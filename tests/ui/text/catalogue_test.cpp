@@ -14,7 +14,7 @@
 #include "ui/panels/commands/menus.h"
 #include "ui/panels/dialogs/file_purpose.h"
 #include "ui/panels/dialogs/manual.h"
-#include "ui/panels/forms/options.h"
+#include "ui/panels/forms/offers.h"
 #include "ui/panels/forms/texts.h"
 
 namespace hazumi::ui {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <set>
 
-#include "ui/panels/dialogs/export_texts.h"
+#include "ui/panels/dialogs/export_summary.h"
 #include "ui/panels/dialogs/parts.h"
 
 namespace hazumi::ui {

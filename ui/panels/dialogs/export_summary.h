@@ -1,6 +1,7 @@
 #pragma once
 
-// What is in a motion file, read from its bytes: the preview of what will be written.
+// What is in a motion file, read from its bytes: the preview of what will be written. And what the
+// export dialog says of it, in the interface's language.
 
 #include <set>
 #include <string>
@@ -9,6 +10,8 @@
 #include "engine/exchange/export_motion.h"
 
 namespace hazumi::ui {
+
+class Editor;
 
 struct ExportSummary {
   size_t num_bytes = 0;
@@ -29,5 +32,11 @@ ExportSummary SummaryOf(MotionFormat format, const std::string& bytes);
 
 // "812 bytes", "1.2 MB": powers of 1000.
 std::string SizeText(size_t num_bytes);
+
+// "22 joints, 48 frames, 30 fps, 1.6 s, 310 kB" and what the format has beside that, a line each.
+// `summary` is not needed for a video.
+std::vector<std::string> ExportFacts(const Editor& editor, const ExportSummary* summary);
+// What a user might look for in the file and will not find: "2 regions", "ball".
+std::vector<std::string> LeftOut(const Editor& editor, const ExportSummary* summary);
 
 }  // namespace hazumi::ui

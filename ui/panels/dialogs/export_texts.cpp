@@ -1,8 +1,8 @@
-#include "ui/panels/dialogs/export_texts.h"
-
 #include <algorithm>
 
 #include "engine/base/filled.h"
+#include "ui/panels/dialogs/export_summary.h"
+#include "ui/panels/window/editor.h"
 
 namespace hazumi::ui {
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ui/edit/parameters.h"
+#include "ui/edit/recovery/recovery.h"
 #include "ui/panels/commands/first_steps.h"
 #include "ui/panels/commands/search.h"
 #include "ui/panels/dialogs/export_job.h"
@@ -17,6 +18,13 @@
 #include "ui/panels/window/geometry.h"
 
 namespace hazumi::ui {
+
+// What a crash left behind and the user has not been asked about yet.
+struct RecoveryState {
+  std::vector<edit::AbandonedJournal> journals;
+  // Takes the work up again, or throws it away; given by whoever keeps the journals.
+  std::function<void(const edit::AbandonedJournal& journal, bool recovers)> answer;
+};
 
 class Editor;
 

@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <tuple>
 
-#include "ui/panels/dope_sheet/bar_tool.h"
+#include "ui/panels/dope_sheet/bar_tools.h"
 #include "ui/panels/dope_sheet/bars.h"
-#include "ui/panels/dope_sheet/region_tools.h"
-#include "ui/panels/dope_sheet/strength_tool.h"
 #include "ui/panels/sheet/drag.h"
 #include "ui/panels/sheet/drawing.h"
 #include "ui/panels/sheet/key_tools.h"

@@ -1,8 +1,7 @@
-#include "ui/panels/dope_sheet/region_tools.h"
-
 #include <algorithm>
 #include <cmath>
 
+#include "ui/panels/dope_sheet/bar_tools.h"
 #include "ui/panels/dope_sheet/bars.h"
 #include "ui/panels/sheet/drag.h"
 

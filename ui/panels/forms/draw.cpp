@@ -10,8 +10,8 @@
 #include <optional>
 
 #include "engine/base/text.h"
+#include "ui/panels/forms/offers.h"
 #include "ui/panels/forms/parts.h"
-#include "ui/panels/forms/suggestions.h"
 #include "ui/panels/forms/texts.h"
 
 namespace hazumi::ui {

@@ -1,5 +1,3 @@
-#include "ui/panels/forms/options.h"
-
 #include <algorithm>
 #include <cctype>
 
@@ -8,6 +6,7 @@
 #include "engine/project/edits/curves.h"
 #include "engine/project/items.h"
 #include "ui/panels/dope_sheet/bars.h"
+#include "ui/panels/forms/offers.h"
 #include "ui/panels/outliner/limbs.h"
 #include "ui/panels/sheet/drag.h"
 

@@ -6,7 +6,7 @@
 #include "engine/base/text.h"
 #include "ui/edit/session/session.h"
 #include "ui/panels/commands/actions.h"
-#include "ui/panels/forms/suggestions.h"
+#include "ui/panels/forms/offers.h"
 #include "ui/panels/forms/texts.h"
 
 namespace hazumi::ui {

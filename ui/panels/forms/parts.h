@@ -3,7 +3,7 @@
 // Internal: the fields of a form.
 
 #include "ui/panels/dialogs/parts.h"
-#include "ui/panels/forms/options.h"
+#include "ui/panels/forms/offers.h"
 
 namespace hazumi::ui {
 

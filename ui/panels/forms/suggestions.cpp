@@ -1,5 +1,3 @@
-#include "ui/panels/forms/suggestions.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -10,8 +8,8 @@
 #include "ui/edit/fields/item_fields.h"
 #include "ui/edit/operators/edits.h"
 #include "ui/edit/operators/regions.h"
-#include "ui/panels/dope_sheet/region_tools.h"
-#include "ui/panels/forms/options.h"
+#include "ui/panels/dope_sheet/bar_tools.h"
+#include "ui/panels/forms/offers.h"
 #include "ui/panels/outliner/limbs.h"
 #include "ui/panels/properties/layout.h"
 #include "ui/panels/viewport/figure.h"

@@ -6,7 +6,7 @@
 
 #include "ui/edit/operators/keys/at_frame.h"
 #include "ui/panels/outliner/input.h"
-#include "ui/panels/properties/field_state.h"
+#include "ui/panels/properties/layout.h"
 #include "ui/panels/window/panels.h"
 #include "ui/panels/window/signs.h"
 

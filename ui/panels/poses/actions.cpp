@@ -7,7 +7,6 @@
 #include "ui/edit/operators/edits.h"
 #include "ui/edit/operators/keys/at_frame.h"
 #include "ui/edit/operators/pose/posing.h"
-#include "ui/panels/poses/share_tool.h"
 
 namespace hazumi::ui {
 

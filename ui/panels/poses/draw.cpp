@@ -7,7 +7,7 @@
 
 #include "ui/panels/commands/actions.h"
 #include "ui/panels/dialogs/dialogs.h"
-#include "ui/panels/poses/share_tool.h"
+#include "ui/panels/poses/actions.h"
 #include "ui/panels/poses/thumbnails.h"
 #include "ui/panels/properties/fields.h"
 #include "ui/panels/properties/sections.h"

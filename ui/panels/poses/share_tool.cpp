@@ -1,11 +1,10 @@
 // Breakdown, relax, push, and poses of the library: a share by the mouse.
 
-#include "ui/panels/poses/share_tool.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "ui/panels/commands/actions.h"
+#include "ui/panels/poses/actions.h"
 #include "ui/panels/viewport/tools/drag_tool.h"
 
 namespace hazumi::ui {

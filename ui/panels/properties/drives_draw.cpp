@@ -1,7 +1,5 @@
 // The muscles of the region that is shown: what drives its joints, and which.
 
-#include "ui/panels/properties/drives_draw.h"
-
 #include <imgui.h>
 
 #include <cctype>
@@ -10,6 +8,7 @@
 #include "engine/timeline/curve_track.h"
 #include "ui/panels/properties/field_rows.h"
 #include "ui/panels/properties/layout.h"
+#include "ui/panels/properties/sections.h"
 
 namespace hazumi::ui {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "ui/panels/properties/field_state.h"
+#include "ui/panels/properties/layout.h"
 #include "ui/panels/window/editor.h"
 #include "ui/panels/window/widgets.h"
 

@@ -7,6 +7,7 @@
 
 #include "engine/bake/motion.h"
 #include "engine/project/project.h"
+#include "engine/timeline/animation.h"
 #include "ui/panels/properties/state.h"
 #include "ui/panels/window/geometry.h"
 
@@ -45,5 +46,18 @@ std::vector<std::string> NamesOf(const std::vector<JointRef>& joints);
 // `joints` and what is selected beside them; a joint of which all hinges are selected by its name.
 std::vector<std::string> WithSelected(const std::vector<std::string>& joints, const Figure& figure,
                                       const std::set<std::string>& selected);
+
+// Where a value at a frame comes from, as the colour of its field tells.
+enum class FieldState {
+  kPlain,         // nothing animates it
+  kKeyed,         // a key on the frame
+  kInterpolated,  // keys on other frames
+  kChanged,       // a key on the frame, but something else moved it away, such as a hold
+  kComputed       // by a dynamics region
+};
+
+// `curve`: null if there is none. `shown`: the value as it is at the frame, in the curve's units.
+// `is_computed`: by a region, see edit::IsSwung.
+FieldState StateOfField(const ProjectCurve* curve, double frame, double shown, bool is_computed);
 
 }  // namespace hazumi::ui

@@ -10,7 +10,6 @@
 #include "ui/panels/properties/field_rows.h"
 #include "ui/panels/properties/layout.h"
 #include "ui/panels/properties/sections.h"
-#include "ui/panels/properties/span_fields.h"
 #include "ui/panels/sheet/drag.h"
 
 namespace hazumi::ui {

@@ -1,10 +1,9 @@
-#include "ui/panels/properties/span_fields.h"
-
 #include <functional>
 
 #include "engine/project/edits/holders.h"
 #include "ui/panels/dope_sheet/bars.h"
 #include "ui/panels/properties/field_rows.h"
+#include "ui/panels/properties/sections.h"
 
 namespace hazumi::ui {
 

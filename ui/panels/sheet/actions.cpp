@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "ui/edit/operators/edits.h"
+#include "ui/panels/dope_sheet/bar_tools.h"
 #include "ui/panels/dope_sheet/bars.h"
 #include "ui/panels/dope_sheet/layout.h"
-#include "ui/panels/dope_sheet/region_tools.h"
 #include "ui/panels/graph/layout.h"
 #include "ui/panels/sheet/drag.h"
 #include "ui/panels/sheet/key_tools.h"

@@ -5,7 +5,7 @@
 
 #include "engine/base/text.h"
 #include "ui/panels/commands/actions.h"
-#include "ui/panels/dope_sheet/region_tools.h"
+#include "ui/panels/dope_sheet/bar_tools.h"
 #include "ui/panels/sheet/drag.h"
 #include "ui/panels/sheet/drawing.h"
 #include "ui/panels/sheet/marker.h"

@@ -7,7 +7,7 @@
 #include "ui/panels/dope_sheet/bars.h"
 #include "ui/panels/dope_sheet/input.h"
 #include "ui/panels/dope_sheet/layout.h"
-#include "ui/panels/properties/span_fields.h"
+#include "ui/panels/properties/sections.h"
 #include "ui/panels/sheet/key_kinds.h"
 #include "ui/panels/sheet/marker.h"
 #include "ui/panels/sheet/name_field.h"

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "ui/panels/dialogs/dialogs.h"
-#include "ui/panels/dope_sheet/region_tools.h"
+#include "ui/panels/dope_sheet/bar_tools.h"
 #include "ui/panels/viewport/object_actions.h"
 #include "ui/panels/window/widgets.h"
 

@@ -13,7 +13,6 @@
 #include "ui/edit/session/session.h"
 #include "ui/panels/commands/keymap.h"
 #include "ui/panels/commands/tool.h"
-#include "ui/panels/dialogs/recovery_state.h"
 #include "ui/panels/dialogs/state.h"
 #include "ui/panels/poses/state.h"
 #include "ui/panels/properties/state.h"

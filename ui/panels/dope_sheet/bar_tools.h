@@ -8,6 +8,13 @@
 
 namespace hazumi::ui {
 
+// The chosen bar is moved in time, or one of its ends is. `part`: kBar, kBarStart or kBarEnd. Null
+// if no bar is chosen.
+std::unique_ptr<Tool> MakeDragBar(Editor* editor, Point start, SheetPart part);
+
+// How strong the spring of a region's bar is, by pulling it up or down. The bar is the chosen one.
+std::unique_ptr<Tool> MakeDragStrength(Editor* editor, Point start, const RowBar& bar);
+
 // The playhead follows the mouse; so does the pose.
 std::unique_ptr<Tool> MakeScrub(Editor* editor, Point start);
 
