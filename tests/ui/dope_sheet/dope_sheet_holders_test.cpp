@@ -2,7 +2,7 @@
 
 #include "tests/ui/dope_sheet/dope_sheet_user.h"
 #include "ui/panels/dope_sheet/bars.h"
-#include "ui/panels/viewport/object_actions.h"
+#include "ui/panels/viewport/actions.h"
 
 namespace hazumi::test {
 namespace {

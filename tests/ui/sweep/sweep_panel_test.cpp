@@ -11,7 +11,6 @@
 #include "render/image/png.h"
 #include "tests/support/temporary_folder.h"
 #include "ui/panels/sweep/actions.h"
-#include "ui/panels/sweep/picture.h"
 #include "ui/shell/offscreen_shell.h"
 
 namespace hazumi::ui {

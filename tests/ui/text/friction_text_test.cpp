@@ -1,6 +1,6 @@
-#include "ui/panels/text/friction_text.h"
-
 #include <gtest/gtest.h>
+
+#include "ui/panels/text/quantity_text.h"
 
 namespace hazumi::ui {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "tests/unit/edit/placement/keyed_jump.h"
 #include "ui/panels/sheet/frame.h"
-#include "ui/panels/timeline/flight_text.h"
+#include "ui/panels/text/quantity_text.h"
 
 namespace hazumi::ui {
 namespace {

@@ -1,10 +1,9 @@
 // Where keys or a pin put the figure into the ground.
 
-#include "ui/panels/timeline/ground_watch.h"
-
 #include <gtest/gtest.h>
 
 #include "ui/panels/sheet/frame.h"
+#include "ui/panels/timeline/key_watch.h"
 
 namespace hazumi::ui {
 namespace {

@@ -1,7 +1,5 @@
 // The project's sound in the sheets.
 
-#include "ui/panels/timeline/sound_watch.h"
-
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -11,6 +9,7 @@
 
 #include "tests/support/temporary_folder.h"
 #include "ui/panels/sheet/wave.h"
+#include "ui/panels/timeline/media_watch.h"
 
 namespace hazumi::ui {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "tests/ui/user.h"
+#include "ui/panels/viewport/actions.h"
 #include "ui/panels/viewport/camera.h"
-#include "ui/panels/viewport/object_actions.h"
 
 namespace hazumi::test {
 

@@ -6,8 +6,8 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/ui/viewport/fixture.h"
 #include "ui/panels/commands/keys.h"
+#include "ui/panels/viewport/actions.h"
 #include "ui/panels/viewport/gizmo.h"
-#include "ui/panels/viewport/object_actions.h"
 
 namespace hazumi::ui {
 namespace {

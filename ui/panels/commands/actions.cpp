@@ -10,7 +10,6 @@
 #include "ui/panels/sheet/actions.h"
 #include "ui/panels/sweep/actions.h"
 #include "ui/panels/viewport/actions.h"
-#include "ui/panels/viewport/object_actions.h"
 #include "ui/panels/viewport/overlays.h"
 #include "ui/panels/viewport/tools/tools.h"
 

@@ -5,7 +5,6 @@
 #include <imgui.h>
 
 #include "ui/panels/dialogs/dialogs.h"
-#include "ui/panels/window/scaled.h"
 #include "ui/panels/window/widgets.h"
 
 namespace hazumi::ui {

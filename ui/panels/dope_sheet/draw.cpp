@@ -2,6 +2,7 @@
 #include "ui/panels/dope_sheet/input.h"
 #include "ui/panels/dope_sheet/muscle_draw.h"
 #include "ui/panels/sheet/drawing.h"
+#include "ui/panels/sheet/popups.h"
 #include "ui/panels/window/panels.h"
 
 namespace hazumi::ui {

@@ -8,7 +8,7 @@
 #include "ui/panels/sheet/drag.h"
 #include "ui/panels/sheet/drawing.h"
 #include "ui/panels/sheet/key_tools.h"
-#include "ui/panels/viewport/object_actions.h"
+#include "ui/panels/viewport/actions.h"
 
 namespace hazumi::ui {
 

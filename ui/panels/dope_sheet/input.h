@@ -9,7 +9,4 @@ namespace hazumi::ui {
 // True if what is seen may not be where the layout has it any more.
 bool TakeDopeSheetInput(Editor* editor, const DopeSheetLayout& layout);
 
-// The small windows that keys and the right button open, and what they do. Called by both sheets.
-void DrawSheetPopups(Editor* editor);
-
 }  // namespace hazumi::ui

@@ -1,10 +1,10 @@
 #include <cmath>
 
 #include "engine/base/text.h"
-#include "ui/panels/dope_sheet/input.h"
 #include "ui/panels/graph/input.h"
 #include "ui/panels/graph/torque_draw.h"
 #include "ui/panels/sheet/drawing.h"
+#include "ui/panels/sheet/popups.h"
 #include "ui/panels/window/panels.h"
 
 namespace hazumi::ui {

@@ -8,7 +8,7 @@
 #include "ui/panels/outliner/input.h"
 #include "ui/panels/properties/layout.h"
 #include "ui/panels/window/panels.h"
-#include "ui/panels/window/signs.h"
+#include "ui/panels/window/widgets.h"
 
 namespace hazumi::ui {
 

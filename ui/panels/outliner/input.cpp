@@ -1,6 +1,6 @@
 #include "ui/panels/outliner/input.h"
 
-#include "ui/panels/viewport/object_actions.h"
+#include "ui/panels/viewport/actions.h"
 
 namespace hazumi::ui {
 

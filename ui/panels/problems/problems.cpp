@@ -1,16 +1,19 @@
 #include "ui/panels/problems/problems.h"
 
 #include <algorithm>
+#include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "engine/analysis/problems/problems.h"
 #include "engine/base/filled.h"
 #include "engine/base/text.h"
+#include "engine/dynamics/kinematics.h"
 #include "engine/project/checks/constraint_checks.h"
 #include "engine/project/checks/joint_names.h"
 #include "ui/edit/operators/edits.h"
-#include "ui/panels/problems/taken_object.h"
-#include "ui/panels/timeline/flight_text.h"
+#include "ui/panels/text/quantity_text.h"
 
 namespace hazumi::ui {
 
@@ -42,6 +45,38 @@ std::vector<Finding> FindingsOf(Editor* editor) {
   const Result<const Motion*> motion = editor->session().ShownMotionTo(editor->last_frame());
   if (!motion.ok()) return {};
   return FindProblems(*editor->session().animation(), *motion.value(), KnownAnalyses(editor));
+}
+
+// Of a joint that takes a held object on a frame.
+struct Taking {
+  std::string joint;
+  Vec3 object;  // where the object is until then [m]
+  Vec3 offset;  // where it lies in the joint's frame from then on [m]
+};
+
+// `object`: of the animation's held objects. Nothing if none takes it on that frame.
+std::optional<Taking> TakingAt(int object, int frame, const Animation& animation,
+                               const Motion& motion) {
+  const std::vector<Holder>& holders = animation.held_objects[static_cast<size_t>(object)].holders;
+  const auto taker = std::find_if(holders.begin(), holders.end(),
+                                  [&](const Holder& each) { return each.first_frame == frame; });
+  const int i = frame - animation.first_frame;
+  if (taker == holders.end() || i < 2 || i >= static_cast<int>(motion.frames.size())) return {};
+  const Figure& figure = *animation.figure;
+  if (taker == holders.begin() || std::prev(taker)->last_frame != frame) {
+    // As between the two frames before.
+    const auto place = [&](int before) -> const Vec3& {
+      const MotionFrame& there = motion.frames[static_cast<size_t>(i - before)];
+      return there.objects[static_cast<size_t>(object)].X_WO.p;
+    };
+    return Taking{figure.group(taker->joint).name, 2.0 * place(1) - place(2), taker->offset};
+  }
+  const MotionFrame& now = motion.frames[static_cast<size_t>(i)];
+  DynamicsWorkspace ws(figure);
+  ComputePositions(figure, now.X_WR, now.q, &ws);
+  const Holder& giver = *std::prev(taker);
+  const BodyScratch& body = ws.body(figure.group(giver.joint).last());
+  return Taking{figure.group(taker->joint).name, body.p + body.R * giver.offset, taker->offset};
 }
 
 // Adds to a problem what leads to it, and its cures.

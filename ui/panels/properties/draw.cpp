@@ -6,7 +6,7 @@
 #include "ui/panels/properties/layout.h"
 #include "ui/panels/properties/sections.h"
 #include "ui/panels/window/panels.h"
-#include "ui/panels/window/signs.h"
+#include "ui/panels/window/widgets.h"
 
 namespace hazumi::ui {
 

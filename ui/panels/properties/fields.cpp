@@ -12,7 +12,7 @@
 
 #include "ui/panels/properties/layout.h"
 #include "ui/panels/text/number_text.h"
-#include "ui/panels/window/signs.h"
+#include "ui/panels/window/widgets.h"
 
 namespace hazumi::ui {
 

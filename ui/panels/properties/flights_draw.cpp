@@ -7,7 +7,7 @@
 #include "ui/panels/commands/actions.h"
 #include "ui/panels/properties/fields.h"
 #include "ui/panels/properties/sections.h"
-#include "ui/panels/timeline/flight_text.h"
+#include "ui/panels/text/quantity_text.h"
 
 namespace hazumi::ui {
 

@@ -11,7 +11,7 @@
 #include "ui/panels/properties/field_rows.h"
 #include "ui/panels/properties/layout.h"
 #include "ui/panels/properties/sections.h"
-#include "ui/panels/text/friction_text.h"
+#include "ui/panels/text/quantity_text.h"
 
 namespace hazumi::ui {
 

@@ -9,7 +9,7 @@
 #include "ui/panels/graph/layout.h"
 #include "ui/panels/sheet/drag.h"
 #include "ui/panels/sheet/key_tools.h"
-#include "ui/panels/sheet/marker.h"
+#include "ui/panels/sheet/popups.h"
 
 namespace hazumi::ui::sheet {
 

@@ -7,7 +7,7 @@
 #include "ui/panels/sheet/state.h"
 #include "ui/panels/sheet/time_axis.h"
 #include "ui/panels/timeline/flight_watch.h"
-#include "ui/panels/timeline/ground_watch.h"
+#include "ui/panels/timeline/key_watch.h"
 #include "ui/panels/window/geometry.h"
 
 namespace hazumi::ui {

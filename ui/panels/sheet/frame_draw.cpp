@@ -8,8 +8,8 @@
 #include "ui/panels/dope_sheet/bar_tools.h"
 #include "ui/panels/sheet/drag.h"
 #include "ui/panels/sheet/drawing.h"
-#include "ui/panels/sheet/marker.h"
-#include "ui/panels/timeline/flight_text.h"
+#include "ui/panels/sheet/popups.h"
+#include "ui/panels/text/quantity_text.h"
 
 namespace hazumi::ui {
 

@@ -1,8 +1,6 @@
-#include "ui/panels/sheet/marker.h"
-
 #include "ui/panels/commands/actions.h"
 #include "ui/panels/sheet/drawing.h"
-#include "ui/panels/sheet/name_field.h"
+#include "ui/panels/sheet/popups.h"
 
 namespace hazumi::ui {
 

@@ -1,17 +1,19 @@
 // Small windows over the sheets: interpolation, handles, keys, and what bars stand for.
 
+#include "ui/panels/sheet/popups.h"
+
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "ui/panels/commands/actions.h"
 #include "ui/panels/dope_sheet/bars.h"
-#include "ui/panels/dope_sheet/input.h"
 #include "ui/panels/dope_sheet/layout.h"
 #include "ui/panels/properties/sections.h"
 #include "ui/panels/sheet/key_kinds.h"
-#include "ui/panels/sheet/marker.h"
-#include "ui/panels/sheet/name_field.h"
-#include "ui/panels/text/friction_text.h"
+#include "ui/panels/text/quantity_text.h"
 #include "ui/panels/window/widgets.h"
 
 namespace hazumi::ui {
@@ -215,6 +217,19 @@ void DrawSheetPopups(Editor* editor) {
     Items(editor, popup);
     ImGui::EndPopup();
   }
+}
+
+// ImGui keeps what is typed as long as it is.
+std::optional<std::string> NameField(Editor* editor, const std::string& name) {
+  std::string typed = name;
+  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+  const bool is_entered = ImGui::InputText(
+      "##name", &typed, ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_EnterReturnsTrue);
+  if (ImGui::IsItemEdited()) editor->NeedGlyphs(typed);
+  const bool is_done = is_entered || ImGui::IsItemDeactivatedAfterEdit();
+  if (is_entered) ImGui::CloseCurrentPopup();
+  if (!is_done || typed.empty() || typed == name) return std::nullopt;
+  return typed;
 }
 
 }  // namespace hazumi::ui

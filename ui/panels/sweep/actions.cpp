@@ -7,7 +7,6 @@
 #include "engine/base/filled.h"
 #include "engine/project/address/field_address.h"
 #include "ui/panels/dialogs/folder_list.h"
-#include "ui/panels/sweep/picture.h"
 #include "ui/panels/window/editor.h"
 
 namespace hazumi::ui {

@@ -8,7 +8,6 @@
 #include "ui/panels/properties/fields.h"
 #include "ui/panels/properties/sections.h"
 #include "ui/panels/sweep/actions.h"
-#include "ui/panels/sweep/picture.h"
 
 namespace hazumi::ui {
 

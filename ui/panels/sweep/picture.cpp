@@ -1,10 +1,9 @@
-#include "ui/panels/sweep/picture.h"
-
 #include <filesystem>
 
 #include "engine/base/text.h"
 #include "engine/picture/decode_pictures.h"
 #include "engine/project/json/text_file.h"
+#include "ui/panels/sweep/actions.h"
 
 namespace hazumi::ui {
 

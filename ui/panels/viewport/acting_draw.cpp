@@ -5,8 +5,8 @@
 #include "ui/panels/dope_sheet/bars.h"
 #include "ui/panels/viewport/acting.h"
 #include "ui/panels/viewport/contact_marks.h"
+#include "ui/panels/viewport/marks.h"
 #include "ui/panels/viewport/scene.h"
-#include "ui/panels/viewport/strokes.h"
 
 namespace hazumi::ui {
 

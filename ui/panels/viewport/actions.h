@@ -1,5 +1,9 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
+#include "ui/panels/commands/actions.h"
 #include "ui/panels/window/editor.h"
 
 namespace hazumi::ui {
@@ -15,5 +19,17 @@ Result<Done> LookThroughCamera(Editor* editor);
 Result<Done> SetCameraToView(Editor* editor);
 // Each frame; what the mouse does on the viewport, which is the item drawn last.
 void ActOnViewport(Editor* editor, const Rect& rect);
+
+// A box of the scene or a held object instead of whatever is selected; an invalid id: none.
+void SelectObject(Editor* editor, ItemId object);
+// If the operator put one into the scene, this one is, and no joints are.
+void SelectAdded(Editor* editor, const std::string& id);
+// Null if none is.
+const ProjectHeldObject* SelectedHeldObject(const Editor& editor);
+// Of either; empty if none is.
+std::string NameOfSelectedObject(const Editor& editor);
+
+// For the list in commands/actions.cpp.
+std::vector<Action> ObjectActions();
 
 }  // namespace hazumi::ui

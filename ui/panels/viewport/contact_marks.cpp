@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "engine/base/filled.h"
+#include "ui/panels/viewport/marks.h"
 #include "ui/panels/viewport/nearest_line.h"
 #include "ui/panels/viewport/scene.h"
-#include "ui/panels/viewport/strokes.h"
 
 namespace hazumi::ui {
 

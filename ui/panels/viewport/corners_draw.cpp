@@ -5,12 +5,11 @@
 #include <algorithm>
 
 #include "ui/panels/commands/actions.h"
+#include "ui/panels/viewport/actions.h"
 #include "ui/panels/viewport/layout.h"
 #include "ui/panels/viewport/marks.h"
-#include "ui/panels/viewport/object_actions.h"
 #include "ui/panels/viewport/overlays.h"
 #include "ui/panels/viewport/scene.h"
-#include "ui/panels/viewport/strokes.h"
 #include "ui/panels/window/widgets.h"
 
 namespace hazumi::ui {

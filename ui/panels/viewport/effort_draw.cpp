@@ -4,8 +4,8 @@
 
 #include "engine/base/filled.h"
 #include "ui/panels/viewport/effort.h"
+#include "ui/panels/viewport/marks.h"
 #include "ui/panels/viewport/scene.h"
-#include "ui/panels/viewport/strokes.h"
 
 namespace hazumi::ui {
 

@@ -6,7 +6,6 @@
 #include "ui/panels/viewport/actions.h"
 #include "ui/panels/viewport/camera.h"
 #include "ui/panels/viewport/hit_test.h"
-#include "ui/panels/viewport/object_actions.h"
 #include "ui/panels/viewport/popups.h"
 #include "ui/panels/viewport/swivel_handle.h"
 #include "ui/panels/viewport/tools/tools.h"

@@ -8,7 +8,6 @@
 #include "ui/panels/viewport/effort.h"
 #include "ui/panels/viewport/hit_test.h"
 #include "ui/panels/viewport/marks.h"
-#include "ui/panels/viewport/strokes.h"
 
 namespace hazumi::ui {
 

@@ -1,8 +1,7 @@
 // What is done with a box of the scene or a held object: selected, moved, removed, jumped onto.
 
-#include "ui/panels/viewport/object_actions.h"
-
 #include "ui/edit/operators/edits.h"
+#include "ui/panels/viewport/actions.h"
 #include "ui/panels/viewport/solids.h"
 #include "ui/panels/viewport/tools/point_move_tool.h"
 

@@ -7,7 +7,7 @@
 
 #include "ui/panels/dialogs/dialogs.h"
 #include "ui/panels/dope_sheet/bar_tools.h"
-#include "ui/panels/viewport/object_actions.h"
+#include "ui/panels/viewport/actions.h"
 #include "ui/panels/window/widgets.h"
 
 namespace hazumi::ui {

@@ -12,7 +12,6 @@
 #include "ui/panels/dope_sheet/bars.h"
 #include "ui/panels/viewport/marks.h"
 #include "ui/panels/viewport/start_speed.h"
-#include "ui/panels/viewport/strokes.h"
 
 namespace hazumi::ui {
 namespace {

@@ -1,7 +1,7 @@
-#include "ui/panels/viewport/strokes.h"
-
 #include <algorithm>
 #include <cmath>
+
+#include "ui/panels/viewport/marks.h"
 
 namespace hazumi::ui {
 

@@ -17,7 +17,6 @@
 #include "ui/panels/poses/thumbnails.h"
 #include "ui/panels/sweep/actions.h"
 #include "ui/panels/viewport/actions.h"
-#include "ui/panels/viewport/object_actions.h"
 
 namespace hazumi::ui {
 

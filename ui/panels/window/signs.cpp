@@ -1,6 +1,6 @@
-#include "ui/panels/window/signs.h"
-
 #include <algorithm>
+
+#include "ui/panels/window/widgets.h"
 
 namespace hazumi::ui {
 

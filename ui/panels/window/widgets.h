@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ui/panels/commands/keys.h"
+#include "ui/panels/window/editor.h"
 #include "ui/panels/window/geometry.h"
 #include "ui/panels/window/theme.h"
 
@@ -36,5 +37,20 @@ std::vector<Chord> PressedKeys(bool with_repeats);
 
 // The colours and measures of ImGui's own widgets.
 void ApplyTheme(const Theme& theme, double scale);
+
+// A length at the interface's scale [px].
+inline float Px(const Editor& editor, double at_scale_1) {
+  return static_cast<float>(at_scale_1 * editor.settings.scale);
+}
+
+// Small signs, drawn as shapes so that none depends on a font.
+void DrawHatch(ImDrawList* list, const Rect& rect, ImU32 color);  // computed by a region
+void DrawDiamond(ImDrawList* list, Point center, float radius, ImU32 color, bool is_filled);
+// An eye, open or shut, and a padlock, as wide as high.
+void DrawEye(ImDrawList* list, Point center, float radius, ImU32 color, bool is_open);
+void DrawLock(ImDrawList* list, Point center, float radius, ImU32 color, bool is_locked);
+void DrawDot(ImDrawList* list, Point center, float radius, ImU32 color);
+// Points down when open, else to the right.
+void DrawTriangle(ImDrawList* list, Point center, float radius, ImU32 color, bool is_open);
 
 }  // namespace hazumi::ui

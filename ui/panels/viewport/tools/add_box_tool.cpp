@@ -9,8 +9,8 @@
 #include "engine/base/filled.h"
 #include "ui/edit/operators/edits.h"
 #include "ui/panels/text/number_text.h"
+#include "ui/panels/viewport/actions.h"
 #include "ui/panels/viewport/hit_test.h"
-#include "ui/panels/viewport/object_actions.h"
 #include "ui/panels/viewport/tools/drag_tool.h"
 #include "ui/panels/viewport/tools/tools.h"
 

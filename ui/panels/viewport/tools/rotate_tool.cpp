@@ -5,8 +5,8 @@
 
 #include "engine/spatial/degrees.h"
 #include "ui/edit/operators/edits.h"
+#include "ui/panels/viewport/actions.h"
 #include "ui/panels/viewport/dial.h"
-#include "ui/panels/viewport/object_actions.h"
 #include "ui/panels/viewport/tools/drag_tool.h"
 #include "ui/panels/viewport/tools/tools.h"
 

@@ -11,8 +11,8 @@
 #include "engine/project/edits/holders.h"
 #include "engine/spatial/degrees.h"
 #include "ui/panels/text/number_text.h"
+#include "ui/panels/viewport/actions.h"
 #include "ui/panels/viewport/hit_test.h"
-#include "ui/panels/viewport/object_actions.h"
 #include "ui/panels/viewport/tools/drag_tool.h"
 #include "ui/panels/viewport/tools/tools.h"
 

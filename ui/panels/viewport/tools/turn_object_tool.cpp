@@ -1,7 +1,7 @@
 // R on a held object: turns it in the hand that holds it.
 
+#include "ui/panels/viewport/actions.h"
 #include "ui/panels/viewport/dial.h"
-#include "ui/panels/viewport/object_actions.h"
 #include "ui/panels/viewport/solids.h"
 #include "ui/panels/viewport/tools/drag_tool.h"
 #include "ui/panels/viewport/tools/tools.h"

@@ -1,5 +1,7 @@
 #pragma once
 
+// Quantities in words, in the language of the interface: friction and flights.
+
 #include <optional>
 #include <string>
 
@@ -7,6 +9,10 @@
 #include "ui/panels/text/catalogue.h"
 
 namespace hazumi::ui {
+
+// What a factor of friction, the share of speed that is left after 1/30 s, means to the eye: when
+// half of the speed is gone, and how much is left after a second.
+std::string FrictionInWords(double factor);
 
 // What a flight is, in the language of the interface: "0.58 s, 9.92 m/s² (9.48 – 10.4)", which is
 // the range of 95 % confidence.

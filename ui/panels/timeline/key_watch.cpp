@@ -1,4 +1,4 @@
-#include "ui/panels/timeline/turn_watch.h"
+#include "ui/panels/timeline/key_watch.h"
 
 namespace hazumi::ui {
 
