@@ -2,6 +2,7 @@
 
 #include "engine/dynamics/inverse_dynamics.h"
 #include "engine/dynamics/mixed_dynamics.h"
+#include "engine/matrix/cholesky.h"
 
 namespace hazumi {
 

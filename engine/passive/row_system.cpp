@@ -14,7 +14,7 @@
 #include <cmath>
 
 #include "engine/base/assert.h"
-#include "engine/passive/equations/semidefinite.h"
+#include "engine/matrix/semidefinite.h"
 
 namespace hazumi {
 

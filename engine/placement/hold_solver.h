@@ -6,8 +6,8 @@
 #include <tuple>
 #include <vector>
 
+#include "engine/matrix/pivoted_lu.h"
 #include "engine/placement/hold_chain.h"
-#include "engine/placement/pivoted_lu.h"
 #include "engine/timeline/placement_span.h"
 
 namespace hazumi {

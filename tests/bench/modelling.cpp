@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "engine/bake/bake.h"
-#include "engine/passive/equations/semidefinite.h"
+#include "engine/matrix/semidefinite.h"
 #include "engine/passive/forces/force_spec.h"
 #include "engine/passive/region_dynamics.h"
 #include "engine/project/compile.h"

@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <memory>
 
-#include "engine/passive/equations/semidefinite.h"
+#include "engine/matrix/semidefinite.h"
 #include "engine/passive/region_dynamics.h"
 #include "tests/bench/growing_figures.h"
 #include "tests/bench/stopwatch.h"

@@ -13,7 +13,7 @@
 #include <string>
 
 #include "engine/bake/bake.h"
-#include "engine/exchange/bvh/bvh_read.h"
+#include "engine/exchange/bvh/bvh_file.h"
 #include "engine/exchange/import/import_project.h"
 #include "engine/project/compile.h"
 #include "engine/project/project_reader.h"

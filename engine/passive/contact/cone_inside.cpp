@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/matrix/semidefinite.h"
 #include "engine/passive/contact/cone_solver.h"
-#include "engine/passive/equations/semidefinite.h"
 
 namespace hazumi {
 

@@ -13,7 +13,7 @@
 #include <cmath>
 #include <vector>
 
-#include "engine/passive/equations/semidefinite.h"
+#include "engine/matrix/semidefinite.h"
 #include "engine/spatial/checks.h"
 
 namespace hazumi {

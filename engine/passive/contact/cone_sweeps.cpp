@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/matrix/dense_kernels.h"
 #include "engine/passive/contact/cone_problem.h"
-#include "engine/passive/equations/dense_kernels.h"
 #include "engine/spatial/checks.h"
 
 namespace hazumi {

@@ -11,8 +11,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/passive/equations/dense_kernels.h"
-#include "engine/passive/equations/semidefinite.h"
+#include "engine/matrix/dense_kernels.h"
+#include "engine/matrix/semidefinite.h"
 #include "engine/spatial/checks.h"
 
 namespace hazumi {

@@ -5,7 +5,7 @@
 
 #include <Eigen/Cholesky>
 
-#include "engine/passive/equations/semidefinite.h"
+#include "engine/matrix/semidefinite.h"
 #include "engine/spatial/checks.h"
 
 namespace hazumi {

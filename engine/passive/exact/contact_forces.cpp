@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/passive/equations/semidefinite.h"
+#include "engine/matrix/semidefinite.h"
 #include "engine/passive/exact/impact_log.h"
 
 namespace hazumi {

@@ -7,7 +7,7 @@
 
 #include <utility>
 
-#include "engine/passive/equations/semidefinite.h"
+#include "engine/matrix/semidefinite.h"
 #include "engine/spatial/checks.h"
 
 namespace hazumi {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/passive/equations/semidefinite.h"
+#include "engine/matrix/semidefinite.h"
 #include "engine/spatial/checks.h"
 
 namespace hazumi {

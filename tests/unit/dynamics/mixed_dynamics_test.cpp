@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "engine/matrix/cholesky.h"
 #include "tests/support/compare.h"
 #include "tests/support/random.h"
 

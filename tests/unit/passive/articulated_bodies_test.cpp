@@ -8,7 +8,7 @@
 #include <Eigen/Cholesky>
 #include <cmath>
 
-#include "engine/passive/equations/semidefinite.h"
+#include "engine/matrix/semidefinite.h"
 #include "tests/support/compare.h"
 #include "tests/unit/passive/random_island.h"
 

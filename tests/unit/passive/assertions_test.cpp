@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "engine/passive/equations/semidefinite.h"
+#include "engine/matrix/semidefinite.h"
 #include "engine/passive/exact/exact_solver.h"
 #include "tests/unit/passive/random_island.h"
 

@@ -1,13 +1,13 @@
 // The loops of dense equations: beside Eigen's, and the same bits by both instruction sets.
 
-#include "engine/passive/equations/dense_kernels.h"
+#include "engine/matrix/dense_kernels.h"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
 #include <vector>
 
-#include "engine/passive/equations/semidefinite.h"
+#include "engine/matrix/semidefinite.h"
 #include "engine/spatial/lanes/cpu.h"
 #include "tests/support/random.h"
 

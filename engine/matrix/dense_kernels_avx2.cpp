@@ -1,4 +1,4 @@
-#include "engine/passive/equations/dense_kernels.h"
+#include "engine/matrix/dense_kernels.h"
 
 // For processors with AVX2.
 
@@ -7,7 +7,7 @@
 namespace hazumi {
 
 namespace {
-#include "engine/passive/equations/dense_loops.h"
+#include "engine/matrix/dense_loops.h"
 }  // namespace
 
 DenseKernels Avx2DenseKernels() {

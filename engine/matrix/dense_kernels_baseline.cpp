@@ -1,4 +1,4 @@
-#include "engine/passive/equations/dense_kernels.h"
+#include "engine/matrix/dense_kernels.h"
 #include "engine/spatial/lanes/cpu.h"
 
 // The loops for any processor.
@@ -6,7 +6,7 @@
 namespace hazumi {
 
 namespace {
-#include "engine/passive/equations/dense_loops.h"
+#include "engine/matrix/dense_loops.h"
 }  // namespace
 
 DenseKernels BaselineDenseKernels() {

@@ -1,11 +1,11 @@
-#include "engine/passive/equations/semidefinite.h"
+#include "engine/matrix/semidefinite.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "engine/passive/equations/dense_kernels.h"
+#include "engine/matrix/dense_kernels.h"
 #include "engine/spatial/checks.h"
 #include "engine/spatial/smooth_step.h"
 

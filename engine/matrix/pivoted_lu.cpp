@@ -1,4 +1,4 @@
-#include "engine/placement/pivoted_lu.h"
+#include "engine/matrix/pivoted_lu.h"
 
 #include <cmath>
 #include <limits>
