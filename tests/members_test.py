@@ -21,16 +21,16 @@ ALL_ERRORS = "-ferror-limit=0" if "clang" in pathlib.Path(COMPILER).name else "-
 STRUCTS = {
     "engine/bake/island_solution.cpp": {
         "engine/spatial/rigid_inertia.h": ["RigidInertia"],
-        "engine/passive/driven_curve.h": ["DrivenCurve"],
-        "engine/passive/node_motion.h": ["DrivenMotion"],
-        "engine/passive/hinge_state.h": ["HingeState"],
-        "engine/passive/region_model.h": ["NodeHinge", "ModelNode", "NodeJoint", "RegionModel"],
+        "engine/region/driven_curve.h": ["DrivenCurve"],
+        "engine/region/node_motion.h": ["DrivenMotion"],
+        "engine/region/hinge_state.h": ["HingeState"],
+        "engine/region/region_model.h": ["NodeHinge", "ModelNode", "NodeJoint", "RegionModel"],
         "engine/spatial/body_motion.h": ["PointMotion"],
         "engine/bake/island_request.h": ["IslandTask", "BeginIsland", "DriveIsland",
                                         "AdvanceIsland", "SolveIsland", "SampleIsland",
                                         "MeasureIsland", "AccelerateIsland"],
         "engine/bake/moving_base_cache.h": ["Carrier"],
-        "engine/passive/contact/contact_spec.h": ["ContactCapsule", "ContactObstacle", "ContactSpec"],
+        "engine/region/contact/contact_spec.h": ["ContactCapsule", "ContactObstacle", "ContactSpec"],
     },
     "engine/bake/baker.cpp": {
         "engine/bake/stretch.h": ["Checkpoint"],
@@ -43,7 +43,7 @@ STRUCTS = {
 
 
 # What forces are made of: each spec of a law.
-for law in sorted((ROOT / "engine/passive/forces").glob("*.h")):
+for law in sorted((ROOT / "engine/region/forces").glob("*.h")):
     specs = re.findall(r"^struct (\w+Spec) \{", law.read_text(), re.M)
     if specs:
         STRUCTS["engine/bake/island_solution.cpp"][str(law.relative_to(ROOT))] = specs

@@ -4,7 +4,7 @@
 
 #include "engine/analysis/frame_dynamics.h"
 #include "engine/dynamics/workspace.h"
-#include "engine/passive/forces/force_law.h"
+#include "engine/region/forces/force_law.h"
 #include "engine/timeline/animation.h"
 
 namespace hazumi {

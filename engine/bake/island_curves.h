@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "engine/passive/node_motion.h"
+#include "engine/region/node_motion.h"
 
 namespace hazumi {
 

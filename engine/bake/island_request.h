@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "engine/base/members.h"
-#include "engine/passive/exact/exact_reports.h"
-#include "engine/passive/exact/impact_log.h"
-#include "engine/passive/forces/force_spec.h"
-#include "engine/passive/region_dynamics.h"
+#include "engine/region/exact/exact_reports.h"
+#include "engine/region/exact/impact_log.h"
+#include "engine/region/forces/force_spec.h"
+#include "engine/region/region_dynamics.h"
 
 namespace hazumi {
 

@@ -4,7 +4,7 @@
 
 #include "engine/bake/island_request.h"
 #include "engine/bake/moving_base_cache.h"
-#include "engine/passive/exact/exact_solver.h"
+#include "engine/region/exact/exact_solver.h"
 
 namespace hazumi {
 

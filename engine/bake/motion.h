@@ -9,7 +9,7 @@
 
 #include "engine/base/warning.h"
 #include "engine/figure/figure.h"
-#include "engine/passive/contact/contact_push.h"
+#include "engine/region/contact/contact_push.h"
 #include "engine/spatial/pose.h"
 #include "engine/spatial/wrench.h"
 #include "engine/timeline/dynamics_region.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/base/members.h"
-#include "engine/passive/moving_base.h"
+#include "engine/region/moving_base.h"
 
 namespace hazumi {
 

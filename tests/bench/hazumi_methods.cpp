@@ -4,10 +4,10 @@
 #include <memory>
 #include <string>
 
-#include "engine/passive/exact/exact_solver.h"
-#include "engine/passive/forces/force_spec.h"
-#include "engine/passive/paper_step.h"
-#include "engine/passive/region_system.h"
+#include "engine/region/exact/exact_solver.h"
+#include "engine/region/forces/force_spec.h"
+#include "engine/region/paper_step.h"
+#include "engine/region/region_system.h"
 #include "tests/bench/stopwatch.h"
 #include "tests/bench/subject.h"
 #include "tests/bench/swing_method.h"

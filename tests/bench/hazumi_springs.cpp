@@ -1,7 +1,7 @@
 #include <memory>
 
-#include "engine/passive/exact/exact_solver.h"
-#include "engine/passive/forces/force_spec.h"
+#include "engine/region/exact/exact_solver.h"
+#include "engine/region/forces/force_spec.h"
 #include "tests/bench/springs.h"
 #include "tests/bench/stopwatch.h"
 

@@ -10,10 +10,10 @@
 
 #include "engine/bake/bake.h"
 #include "engine/matrix/semidefinite.h"
-#include "engine/passive/forces/force_spec.h"
-#include "engine/passive/region_dynamics.h"
 #include "engine/project/compile.h"
 #include "engine/project/project_reader.h"
+#include "engine/region/forces/force_spec.h"
+#include "engine/region/region_dynamics.h"
 #include "tests/bench/stopwatch.h"
 #include "tests/bench/tables.h"
 #include "tests/support/animations.h"

@@ -1,8 +1,8 @@
 #include <limits>
 #include <memory>
 
-#include "engine/passive/paper_step.h"
-#include "engine/passive/region_system.h"
+#include "engine/region/paper_step.h"
+#include "engine/region/region_system.h"
 #include "tests/bench/step_method.h"
 #include "tests/bench/subject.h"
 #include "tests/support/energy.h"

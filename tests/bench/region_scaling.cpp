@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "engine/matrix/semidefinite.h"
-#include "engine/passive/region_dynamics.h"
+#include "engine/region/region_dynamics.h"
 #include "tests/bench/growing_figures.h"
 #include "tests/bench/stopwatch.h"
 #include "tests/bench/tables.h"

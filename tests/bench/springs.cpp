@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "engine/bake/handover/region_start.h"
-#include "engine/passive/forces/spring_drive.h"
+#include "engine/region/forces/spring_drive.h"
 #include "tests/bench/questions.h"
 #include "tests/bench/swing_cases.h"
 #include "tests/support/energy.h"

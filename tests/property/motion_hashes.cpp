@@ -13,7 +13,11 @@
 #include <string>
 
 #include "engine/bake/bake.h"
+#if __has_include("engine/exchange/bvh/bvh_file.h")
 #include "engine/exchange/bvh/bvh_file.h"
+#else  // of older commits
+#include "engine/exchange/bvh/bvh_read.h"
+#endif
 #include "engine/exchange/import/import_project.h"
 #include "engine/project/compile.h"
 #include "engine/project/project_reader.h"

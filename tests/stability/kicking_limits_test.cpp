@@ -10,7 +10,7 @@
 #include <numbers>
 #include <string>
 
-#include "engine/passive/exact/exact_solver.h"
+#include "engine/region/exact/exact_solver.h"
 #include "tests/support/animations.h"
 #include "tests/support/figures.h"
 #include "tests/support/odd_figures.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/passive/hinge_triple.h"
+#include "engine/region/hinge_triple.h"
 #include "engine/spatial/degrees.h"
 #include "tests/support/animations.h"
 #include "tests/support/arm7_cases.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "engine/passive/forces/hinge_moment.h"
+#include "engine/region/forces/hinge_moment.h"
 
 namespace hazumi::test {
 

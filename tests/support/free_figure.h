@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "engine/figure/figure.h"
-#include "engine/passive/equations/tree_equations.h"
+#include "engine/region/equations/tree_equations.h"
 
 namespace hazumi::test {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "engine/base/assert.h"
-#include "engine/passive/forces/force_spec.h"
-#include "engine/passive/paper_step.h"
-#include "engine/passive/region_system.h"
+#include "engine/region/forces/force_spec.h"
+#include "engine/region/paper_step.h"
+#include "engine/region/region_system.h"
 #include "tests/support/energy.h"
 
 namespace hazumi::test {

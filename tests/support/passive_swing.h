@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/figure/figure.h"
-#include "engine/passive/exact/exact_solver.h"
+#include "engine/region/exact/exact_solver.h"
 
 namespace hazumi::test {
 

@@ -10,8 +10,8 @@
 #include <algorithm>
 
 #include "engine/dynamics/kinematics.h"
-#include "engine/passive/ball_axes.h"
 #include "engine/placement/support.h"
+#include "engine/region/ball_axes.h"
 
 namespace hazumi {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "engine/passive/contact/contact_spec.h"
+#include "engine/region/contact/contact_spec.h"
 #include "engine/timeline/scene_object.h"
 
 namespace hazumi {

@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "engine/passive/driven_curve.h"
-#include "engine/passive/exact/exact_solver.h"
-#include "engine/passive/region_model.h"
+#include "engine/region/driven_curve.h"
+#include "engine/region/exact/exact_solver.h"
+#include "engine/region/region_model.h"
 #include "engine/spatial/body_motion.h"
 #include "engine/timeline/scene_object.h"
 

@@ -8,9 +8,9 @@
 #include "engine/bake/motion.h"
 #include "engine/bake/pose/curve_set.h"
 #include "engine/base/assert.h"
-#include "engine/passive/region_model.h"
 #include "engine/placement/continuous_gravity.h"
 #include "engine/placement/gravity_placement.h"
+#include "engine/region/region_model.h"
 
 namespace hazumi {
 

@@ -5,8 +5,8 @@
 
 #include "engine/bake/walk/own_pairs.h"
 #include "engine/figure/figure.h"
-#include "engine/passive/contact/contact_spec.h"
-#include "engine/passive/region_model.h"
+#include "engine/region/contact/contact_spec.h"
+#include "engine/region/region_model.h"
 #include "engine/timeline/animation.h"
 
 namespace hazumi {

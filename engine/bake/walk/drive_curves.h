@@ -5,7 +5,7 @@
 
 #include "engine/bake/bake_context.h"
 #include "engine/bake/handover/region_start.h"
-#include "engine/passive/forces/spring_drive.h"
+#include "engine/region/forces/spring_drive.h"
 #include "engine/timeline/curve_track.h"
 #include "engine/timeline/frame_time.h"
 

@@ -7,7 +7,7 @@
 #include "engine/bake/bake_context.h"
 #include "engine/bake/walk/drive_curves.h"
 #include "engine/bake/walk/feed_forward.h"
-#include "engine/passive/node_motion.h"
+#include "engine/region/node_motion.h"
 
 namespace hazumi {
 

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "engine/bake/pose/root_placement.h"
-#include "engine/passive/ball_axes.h"
 #include "engine/placement/figure_motion.h"
 #include "engine/placement/support.h"
+#include "engine/region/ball_axes.h"
 #include "engine/timeline/animation.h"
 
 namespace hazumi {

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "engine/dynamics/workspace.h"
-#include "engine/passive/constraints/constraint_spec.h"
-#include "engine/passive/region_model.h"
+#include "engine/region/constraints/constraint_spec.h"
+#include "engine/region/region_model.h"
 #include "engine/timeline/animation.h"
 
 namespace hazumi {

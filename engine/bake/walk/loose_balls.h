@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "engine/bake/walk/energy_account.h"
-#include "engine/passive/region_model.h"
 #include "engine/placement/figure_motion.h"
+#include "engine/region/region_model.h"
 #include "engine/timeline/scene_object.h"
 
 namespace hazumi {

@@ -12,7 +12,7 @@
 #include <span>
 #include <utility>
 
-#include "engine/passive/region_dynamics.h"
+#include "engine/region/region_dynamics.h"
 
 namespace hazumi {
 

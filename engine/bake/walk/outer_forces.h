@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "engine/bake/rotation_state.h"
-#include "engine/passive/forces/force_spec.h"
-#include "engine/passive/region_model.h"
+#include "engine/region/forces/force_spec.h"
+#include "engine/region/region_model.h"
 #include "engine/timeline/animation.h"
 
 namespace hazumi {

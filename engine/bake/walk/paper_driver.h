@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "engine/bake/pose/root_placement.h"
-#include "engine/passive/paper_step.h"
-#include "engine/passive/region_system.h"
 #include "engine/placement/figure_motion.h"
+#include "engine/region/paper_step.h"
+#include "engine/region/region_system.h"
 #include "engine/timeline/animation.h"
 
 namespace hazumi {

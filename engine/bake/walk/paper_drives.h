@@ -6,8 +6,8 @@
 
 #include "engine/bake/walk/drive_curves.h"
 #include "engine/bake/walk/feed_forward.h"
-#include "engine/passive/ball_axes.h"
-#include "engine/passive/forces/spring_drive.h"
+#include "engine/region/ball_axes.h"
+#include "engine/region/forces/spring_drive.h"
 
 namespace hazumi {
 

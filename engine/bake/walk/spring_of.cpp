@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "engine/bake/walk/drive_curves.h"
-#include "engine/passive/ball_axes.h"
+#include "engine/region/ball_axes.h"
 #include "engine/timeline/curve_track.h"
 
 namespace hazumi {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "engine/passive/work.h"
+#include "engine/region/work.h"
 
 namespace hazumi {
 

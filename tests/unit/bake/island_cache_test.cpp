@@ -9,7 +9,7 @@
 
 #include "engine/bake/island_curves.h"
 #include "engine/bake/island_solution.h"
-#include "tests/unit/passive/random_island.h"
+#include "tests/unit/region/random_island.h"
 
 namespace hazumi::test {
 namespace {

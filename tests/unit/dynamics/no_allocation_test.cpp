@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
 
 #include "engine/dynamics/inverse_dynamics.h"
-#include "engine/passive/exact/exact_solver.h"
-#include "engine/passive/forces/force_spec.h"
-#include "engine/passive/paper_step.h"
-#include "engine/passive/region_system.h"
+#include "engine/region/exact/exact_solver.h"
+#include "engine/region/forces/force_spec.h"
+#include "engine/region/paper_step.h"
+#include "engine/region/region_system.h"
 #include "tests/support/allocation_count.h"
 #include "tests/support/figures.h"
 #include "tests/support/random_tree.h"

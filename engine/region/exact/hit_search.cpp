@@ -1,0 +1,214 @@
+#include "engine/region/exact/hit_search.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/base/root.h"
+
+namespace hazumi {
+
+namespace {
+
+constexpr double kThrough = 1e-8;     // so near a pole goes through it [rad]
+constexpr double kBeyondPole = 1e-6;  // so far from a pole its side is certain [rad]
+
+}  // namespace
+
+HitSearch::HitSearch(const RegionDynamics* dynamics, const LimitRange* limits, ExactStep* step)
+    : dynamics_(dynamics),
+      limits_(limits),
+      step_(step),
+      look_(dynamics->NewState()),
+      before_(look_),
+      sample_(look_) {
+  suspects_.reserve(dynamics->num_hinges());
+}
+
+// Which nodes' hinges could have been outside during the step: those that come nearer to a limit
+// than twice the way that the rates at its ends account for.
+bool HitSearch::FindSuspects(const std::vector<char>& held) {
+  const double h = step_->end_time() - step_->start_time();
+  const HingeState &start = step_->start(), &end = step_->now();
+  suspects_.clear();
+  const std::vector<FreeHinge>& hinges = dynamics_->hinges();
+  for (int i = 0; i < static_cast<int>(end.q.size()); ++i) {
+    if (held[i]) continue;
+    const double way = std::max(
+        {std::abs(end.qd[i]) * h, std::abs(start.qd[i]) * h, std::abs(end.q[i] - start.q[i])});
+    const double reach = 2.0 * way + kTouch;
+    if (limits_->Outside(i, end.q[i]) <= -reach && limits_->Outside(i, start.q[i]) <= -reach) {
+      continue;
+    }
+    if (suspects_.empty() || suspects_.back() != hinges[i].node) {
+      suspects_.push_back(hinges[i].node);
+    }
+  }
+  return !suspects_.empty();
+}
+
+// The suspects' angles and rates at t, going on from the look before.
+void HitSearch::Look(double t, HingeState* state) {
+  state->q = before_.q;
+  step_->SampleNodes(t, suspects_, state);
+}
+
+HitSearch::Found HitSearch::Find(const std::vector<char>& held, bool follows_event) {
+  if (!FindSuspects(held)) return Found::kNothing;
+  step_->MakeDense();
+  constexpr int kLooks = 6, kFirstLooks = 5;  // what an event has pushed off may be back soon
+  const double start = step_->start_time(), end = step_->time();
+  const double h = step_->end_time() - start;
+  look_ = step_->start();
+  double before = start;
+  for (int look = follows_event ? 1 - kFirstLooks : 1; look <= kLooks; ++look) {
+    const double share = look > 0 ? look : std::pow(0.25, 1 - look);
+    double t = look == kLooks ? end : start + h * share / kLooks;
+    before_.swap(look_);
+    look_.qd = before_.qd;
+    Look(t, &look_);
+    const std::optional<Pole> pole = FindPole(before, t);
+    if (pole) Look(t = pole->time, &look_);
+    const std::optional<Crossing> hit = FirstCrossing(held, before, t);
+    if (hit) Look(t = hit->time, &look_);
+    const std::optional<Pole> at = hit ? PoleAt(*hit) : pole;
+    if (at && Leaves(*at)) {
+      t = std::min(end, t + kBeyondPole / std::abs(PoleRate(*at)));
+      Look(t, &look_);
+    }
+    if (hit || pole || look == kLooks) EndStepAt(t);
+    if (hit) return Found::kHit;
+    if (pole) return Found::kPole;
+    before = t;
+  }
+  return Found::kNothing;
+}
+
+std::optional<HitSearch::Crossing> HitSearch::FirstCrossing(const std::vector<char>& held,
+                                                            double before, double t) {
+  std::optional<Crossing> first;
+  for (int i = 0; i < dynamics_->num_hinges(); ++i) {
+    if (held[i]) continue;
+    for (const int side : {-1, 1}) {
+      const std::optional<double> time = FindCrossing(i, side, before, t);
+      if (time && (!first || *time < first->time)) first = Crossing{*time, i};
+    }
+  }
+  return first;
+}
+
+// The solution at t, where the suspects' angles are those of the last look.
+void HitSearch::EndStepAt(double t) {
+  if (t < step_->time()) step_->EndAt(t);
+  HingeState& now = step_->now();
+  for (const int node : suspects_) {
+    for (int i = FirstHinge(node); i < dynamics_->num_hinges(); ++i) {
+      if (dynamics_->hinges()[i].node != node) break;
+      now.q[i] = look_.q[i];
+      now.qd[i] = look_.qd[i];
+    }
+  }
+}
+
+// Where between two looks a ball joint is nearest to a pole, if its outer hinges whip round there.
+// Up to that time and from there on they turn by less than half a turn, whose way round is certain.
+std::optional<HitSearch::Pole> HitSearch::FindPole(double before, double t) {
+  constexpr double kWhip = 1.0;  // [rad]
+  std::optional<Pole> first;
+  for (const int node : suspects_) {
+    const HingeTriple* triple = dynamics_->layout().triple(node);
+    if (!triple) continue;
+    const int i = FirstHinge(node);
+    const Vec3 way = (look_.q - before_.q).segment<3>(i).cwiseAbs();
+    if (std::max(way[0], way[2]) < kWhip) continue;
+    const auto recedes = [&](const VecX& q, const VecX& qd) {
+      return -triple->Approach(q.segment<3>(i), qd.segment<3>(i));
+    };
+    const Bracket looks = {before, recedes(before_.q, before_.qd), t, recedes(look_.q, look_.qd)};
+    if (looks.fa >= 0.0 || looks.fb <= 0.0) continue;
+    const double a = Narrow(looks, kSameTime, [&](double m) {
+                       Look(m, &sample_);
+                       return recedes(sample_.q, sample_.qd);
+                     }).a;
+    if (a > before + kSameTime && (!first || a < first->time)) first = Pole{a, node};
+  }
+  return first;
+}
+
+// The pole that a ball joint is at when an outer hinge of it goes out. Both outer hinges turn about
+// one axis there: an impact has nothing to push against before the joint is beyond the pole.
+std::optional<HitSearch::Pole> HitSearch::PoleAt(const Crossing& hit) const {
+  const int node = dynamics_->hinges()[hit.hinge].node;
+  const HingeTriple* triple = dynamics_->layout().triple(node);
+  if (!triple) return std::nullopt;
+  const int middle = FirstHinge(node) + 1;
+  if (hit.hinge == middle || triple->FromPole(look_.q[middle]) > kThrough) return std::nullopt;
+  return Pole{hit.time, node};
+}
+
+// Whether a ball joint at a pole goes straight through, or has just done so. Its outer hinges stay
+// then, and the middle one, if its limits let it, is on the other side from here on, as before_.q
+// says.
+bool HitSearch::Leaves(const Pole& pole) {
+  const HingeTriple& triple = *dynamics_->layout().triple(pole.node);
+  const int i = FirstHinge(pole.node);
+  const Vec3 q = look_.q.segment<3>(i);
+  if (triple.FromPole(q[1]) > kThrough) return false;
+  if (triple.Approach(q, look_.qd.segment<3>(i)) < 0.0) {
+    before_.q = look_.q;
+    return true;
+  }
+  const Vec3 through = triple.ThroughPole(triple.Rotation(q), before_.q.segment<3>(i));
+  if (through[1] <= limits_->limit(i + 1, -1) + kBeyondPole) return false;
+  if (through[1] >= limits_->limit(i + 1, 1) - kBeyondPole) return false;
+  before_.q = look_.q;
+  before_.q.segment<3>(i) = through;
+  return true;
+}
+
+// Of the middle hinge [rad/s].
+double HitSearch::PoleRate(const Pole& pole) const { return look_.qd[FirstHinge(pole.node) + 1]; }
+
+// When a hinge goes out between two looks: it is outside at the second one, or was in between,
+// having turned back.
+std::optional<double> HitSearch::FindCrossing(int hinge, int side, double before, double t) {
+  const double f0 = limits_->Beyond(hinge, side, before_.q[hinge]),
+               f1 = limits_->Beyond(hinge, side, look_.q[hinge]);
+  if (f1 > kTouch) return CrossingTime(hinge, side, before, t);
+  double g0 = side * before_.qd[hinge], g1 = side * look_.qd[hinge];
+  const double h = t - before;
+  if (g0 <= 0.0 || g1 >= 0.0 || std::max(f0, f1) + h * std::max(g0, -g1) <= 0.0) {
+    return std::nullopt;
+  }
+  double a = before, b = t;
+  for (int i = 0; i < 8; ++i) {  // secants on the rate, to the top of the swing
+    const double top =
+        std::clamp(a + (b - a) * g0 / (g0 - g1), a + 0.05 * (b - a), b - 0.05 * (b - a));
+    Look(top, &sample_);
+    if (limits_->Beyond(hinge, side, sample_.q[hinge]) > kTouch) {
+      return CrossingTime(hinge, side, before, top);
+    }
+    const double g = side * sample_.qd[hinge];
+    (g > 0.0 ? a : b) = top;
+    (g > 0.0 ? g0 : g1) = g;
+  }
+  return std::nullopt;
+}
+
+// Between a time at which the hinge is inside and one at which it is outside.
+// Half of kTouch counts as inside, so that a hinge that leaves its limit has not crossed it. Nor
+// has one that is outside by what the inside of a step is off by, and on its way in: springs would
+// meet their limit again and again so. Nothing but forces makes that matter; without any it is a
+// hit, as the bits of limp motions are promised by the solver's version.
+std::optional<double> HitSearch::CrossingTime(int hinge, int side, double inside, double outside) {
+  const auto out = [&](double t) {
+    Look(t, &sample_);
+    return limits_->Beyond(hinge, side, sample_.q[hinge]) - 0.5 * kTouch;
+  };
+  const double in = std::min(out(inside), -kTouch);
+  const double t = Narrow({inside, in, outside, out(outside)}, 1e-14, out, 1e-14).b;
+  if (!dynamics_->is_pushed()) return t;
+  Look(t, &sample_);
+  return side * sample_.qd[hinge] > 0.0 ? std::optional(t) : std::nullopt;
+}
+
+}  // namespace hazumi

@@ -1,0 +1,100 @@
+#include "engine/region/exact/release_search.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hazumi {
+
+ReleaseSearch::ReleaseSearch(ExactStep* step, ActiveLimits* limits)
+    : step_(step), limits_(limits), sample_(step->now()), later_{0.0, step->now()} {}
+
+void ReleaseSearch::Begin() {
+  has_later_ = false;
+  allowed_ = 0.0;
+  pull_before_ = limits_->StrongestPull();
+  if (!limits_->is_touching() || !limits_->any()) return;
+  // Limits and contacts that hold the same in more ways than one share it otherwise here.
+  const double pull = limits_->PullAt(step_->time(), step_->now());
+  if (pull > 0.0) allowed_ = 2.0 * pull;
+  pull_before_ = pull - allowed_;
+}
+
+// The strongest pull that a limit would have to give at t [N m].
+double ReleaseSearch::Pull(double t) {
+  step_->Sample(t, &sample_, Gaps::kLeft);
+  return limits_->PullAt(t, sample_) - allowed_;
+}
+
+bool ReleaseSearch::Find() {
+  const double a = step_->start_time(), b = step_->time();
+  const double fa = std::min(pull_before_, 0.0), fb = Pull(b);
+  pull_before_ = fb;
+  const std::optional<double> t = FindPull(a, fa, b, fb, 4);
+  if (!t) return false;
+  if (limits_->needs_later()) LookLater(*t);
+  step_->EndAt(*t);
+  return true;
+}
+
+void ReleaseSearch::Cut() {
+  has_later_ = false;
+  pull_before_ = Pull(step_->time());
+}
+
+// The first time between a and b at which a limit would have to pull: looked for in the middle, at
+// the end and at the top of the parabola through what is found there and at a; then in both halves,
+// unless the parabola is good enough to tell that there is nothing.
+std::optional<double> ReleaseSearch::FindPull(double a, double fa, double b, double fb,
+                                              int halvings) {
+  const double m = 0.5 * (a + b), fm = Pull(m);
+  if (fm > 0.0) return ReleaseTime(a, fa, m, fm);
+  const double bend = fa - 2.0 * fm + fb;
+  const double s = bend < 0.0 ? std::clamp(0.25 * (fa - fb) / bend, -0.5, 0.5) : 0.0;
+  if (s != 0.0 && std::abs(s) < 0.5) {
+    const double top = m + s * (b - a), f = Pull(top);
+    if (f > 0.0) return s < 0.0 ? ReleaseTime(a, fa, top, f) : ReleaseTime(m, fm, top, f);
+  }
+  if (halvings > 0 && !StaysBelow(a, fa, fm, b, fb)) {
+    const std::optional<double> first = FindPull(a, fa, m, fm, halvings - 1);
+    return first ? first : FindPull(m, fm, b, fb, halvings - 1);
+  }
+  if (fb > 0.0) return ReleaseTime(m, fm, b, fb);
+  return std::nullopt;
+}
+
+// Whether limits surely need not pull between a and b: the parabola through both ends and the
+// middle is below zero by several times what it is off by at a quarter of the way.
+bool ReleaseSearch::StaysBelow(double a, double fa, double fm, double b, double fb) {
+  const double quarter = 0.375 * fa + 0.75 * fm - 0.125 * fb;
+  const double off = std::abs(Pull(0.75 * a + 0.25 * b) - quarter);
+  return std::max({fa, fm, fb}) + 4.0 * off < 0.0;
+}
+
+// Which limit lets go at t is told from a moment later: limits of a ball joint's outer hinges let
+// go at its poles, where the hinges line up and it cannot be told.
+void ReleaseSearch::LookLater(double t) {
+  later_.time = t;
+  for (double later = 1e-6; later_.time < step_->time(); later *= 10.0) {
+    later_.time = std::min(t + later, step_->time());
+    step_->Sample(later_.time, &later_.state);
+    if (!limits_->WouldHoldAll(later_)) break;
+  }
+  has_later_ = later_.time > t;
+}
+
+// When a limit starts to have to pull: not at a, but at b. What is late by t leaves an error of the
+// order of t^3, but of t at the pole of a ball joint.
+double ReleaseSearch::ReleaseTime(double a, double fa, double b, double fb) {
+  const double early_enough = std::clamp(0.04 * step_->tolerance(), 1e-12, 1e-6);  // [s]
+  while (b - a > early_enough) {
+    const double secant = fb > fa ? (a * fb - b * fa) / (fb - fa) : 0.5 * (a + b);
+    const double margin = 0.05 * (b - a);
+    const double t = std::clamp(secant, a + margin, b - margin);
+    const double f = Pull(t);
+    (f > 0.0 ? b : a) = t;
+    (f > 0.0 ? fb : fa) = f;
+  }
+  return b;
+}
+
+}  // namespace hazumi
