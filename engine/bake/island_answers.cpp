@@ -42,7 +42,7 @@ void IslandAnswers::Tell(IslandRequest request) {
   ++num_calls_;
 }
 
-const IslandResult& IslandAnswers::Ask(IslandRequest request) {
+const IslandResult& IslandAnswers::ResultOf(IslandRequest request) {
   Tell(std::move(request));
   if (own_) DoWhatWasAsked();
   const IslandCall& call = own_ ? own_->back() : (*known_)[num_calls_ - 1];

@@ -2,6 +2,8 @@
 
 #include <atomic>
 #include <memory>
+#include <utility>
+#include <variant>
 
 #include "engine/bake/island_request.h"
 #include "engine/bake/known_logs.h"
@@ -29,7 +31,10 @@ class IslandAnswers {
   // One that gives no result.
   void Tell(IslandRequest request);
   // The result stays until the next request.
-  const IslandResult& Ask(IslandRequest request);
+  template <typename Request>
+  const typename Request::Result& Ask(Request request) {
+    return std::get<typename Request::Result>(ResultOf(std::move(request)));
+  }
   // Whether a known log tells the answer.
   bool IsKnown(const IslandRequest& request) const;
   // It gives up where this is set, from now on.
@@ -42,6 +47,7 @@ class IslandAnswers {
   std::shared_ptr<const IslandLog> log() const { return own_ ? own_ : known_; }
 
  private:
+  const IslandResult& ResultOf(IslandRequest request);
   void DoWhatWasAsked();
 
   std::shared_ptr<const IslandTask> task_;

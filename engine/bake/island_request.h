@@ -32,84 +32,6 @@ inline auto MembersOf(const IslandTask& task) {
   return std::tie(model, lower, upper, forces, gravity, constraints, contacts);
 }
 
-// What an island is asked to do, one after the other; its answers depend on nothing else. Times
-// [s].
-//
-// Begins at t in this state, moved by curves that are smooth up to `end` and numbered as CurvesOf
-// does it.
-struct BeginIsland {
-  double t = 0.0, end = 0.0;
-  double step_tolerance = 0.0;  // error of one step [rad]
-  HingeState state;             // its anchor is zero unless laws act from outside
-  std::shared_ptr<const DrivenMotion> curves;
-  std::shared_ptr<const IslandTask> task;
-};
-inline auto MembersOf(const BeginIsland& request) {
-  const auto& [t, end, step_tolerance, state, curves, task] = request;
-  return std::tie(t, end, step_tolerance, state, curves, task);
-}
-
-// Goes on from t, where it is, with other curves.
-struct DriveIsland {
-  double t = 0.0, end = 0.0;
-  std::shared_ptr<const DrivenMotion> curves;
-};
-inline auto MembersOf(const DriveIsland& request) {
-  const auto& [t, end, curves] = request;
-  return std::tie(t, end, curves);
-}
-
-// Takes steps until it is beyond t, at most to `end`.
-struct AdvanceIsland {
-  double t = 0.0, end = 0.0;
-};
-inline auto MembersOf(const AdvanceIsland& request) {
-  const auto& [t, end] = request;
-  return std::tie(t, end);
-}
-
-// Takes all steps to `end`, and samples the motion at `times`, which rise.
-struct SolveIsland {
-  double end = 0.0;
-  std::shared_ptr<const std::vector<double>> times;
-};
-inline auto MembersOf(const SolveIsland& request) {
-  const auto& [end, times] = request;
-  return std::tie(end, times);
-}
-
-// Angles and rates at t, which lies in the step that it is in.
-struct SampleIsland {
-  double t = 0.0;
-  Gaps gaps = Gaps::kClosed;
-};
-inline auto MembersOf(const SampleIsland& request) {
-  const auto& [t, gaps] = request;
-  return std::tie(t, gaps);
-}
-
-// Energy and powers there.
-struct MeasureIsland {
-  double t = 0.0;
-};
-inline auto MembersOf(const MeasureIsland& request) {
-  const auto& [t] = request;
-  return std::tie(t);
-}
-
-// Accelerations at t, which lies in the step that it is in; at the step's end those with which the
-// next one begins.
-struct AccelerateIsland {
-  double t = 0.0;
-};
-inline auto MembersOf(const AccelerateIsland& request) {
-  const auto& [t] = request;
-  return std::tie(t);
-}
-
-using IslandRequest = std::variant<BeginIsland, DriveIsland, AdvanceIsland, SolveIsland,
-                                   SampleIsland, MeasureIsland, AccelerateIsland>;
-
 // How far it got, what happened on the way, and why it cannot go on, if so.
 struct IslandProgress {
   double time = 0.0, step_start = 0.0;  // end and start of its last step [s]
@@ -127,14 +49,99 @@ struct IslandSamples {
   std::vector<OuterMotion> outer;
 };
 
-// To AdvanceIsland the progress, to SolveIsland both, to SampleIsland samples of one time, to
-// MeasureIsland the energy, to AccelerateIsland the instant.
-struct IslandResult {
+// The motion up to a time, at once.
+struct IslandCourse {
   IslandProgress progress;
   IslandSamples samples;
-  EnergyFlow energy;
-  InstantReport instant = {};
 };
+
+// What an island is asked to do, one after the other; its answers, each of the type Result, depend
+// on nothing else. Times [s].
+//
+// Begins at t in this state, moved by curves that are smooth up to `end` and numbered as CurvesOf
+// does it.
+struct BeginIsland {
+  using Result = std::monostate;
+  double t = 0.0, end = 0.0;
+  double step_tolerance = 0.0;  // error of one step [rad]
+  HingeState state;             // its anchor is zero unless laws act from outside
+  std::shared_ptr<const DrivenMotion> curves;
+  std::shared_ptr<const IslandTask> task;
+};
+inline auto MembersOf(const BeginIsland& request) {
+  const auto& [t, end, step_tolerance, state, curves, task] = request;
+  return std::tie(t, end, step_tolerance, state, curves, task);
+}
+
+// Goes on from t, where it is, with other curves.
+struct DriveIsland {
+  using Result = std::monostate;
+  double t = 0.0, end = 0.0;
+  std::shared_ptr<const DrivenMotion> curves;
+};
+inline auto MembersOf(const DriveIsland& request) {
+  const auto& [t, end, curves] = request;
+  return std::tie(t, end, curves);
+}
+
+// Takes steps until it is beyond t, at most to `end`.
+struct AdvanceIsland {
+  using Result = IslandProgress;
+  double t = 0.0, end = 0.0;
+};
+inline auto MembersOf(const AdvanceIsland& request) {
+  const auto& [t, end] = request;
+  return std::tie(t, end);
+}
+
+// Takes all steps to `end`, and samples the motion at `times`, which rise.
+struct SolveIsland {
+  using Result = IslandCourse;
+  double end = 0.0;
+  std::shared_ptr<const std::vector<double>> times;
+};
+inline auto MembersOf(const SolveIsland& request) {
+  const auto& [end, times] = request;
+  return std::tie(end, times);
+}
+
+// Angles and rates at t, which lies in the step that it is in.
+struct SampleIsland {
+  using Result = IslandSamples;
+  double t = 0.0;
+  Gaps gaps = Gaps::kClosed;
+};
+inline auto MembersOf(const SampleIsland& request) {
+  const auto& [t, gaps] = request;
+  return std::tie(t, gaps);
+}
+
+// Energy and powers there.
+struct MeasureIsland {
+  using Result = EnergyFlow;
+  double t = 0.0;
+};
+inline auto MembersOf(const MeasureIsland& request) {
+  const auto& [t] = request;
+  return std::tie(t);
+}
+
+// Accelerations at t, which lies in the step that it is in; at the step's end those with which the
+// next one begins.
+struct AccelerateIsland {
+  using Result = InstantReport;
+  double t = 0.0;
+};
+inline auto MembersOf(const AccelerateIsland& request) {
+  const auto& [t] = request;
+  return std::tie(t);
+}
+
+using IslandRequest = std::variant<BeginIsland, DriveIsland, AdvanceIsland, SolveIsland,
+                                   SampleIsland, MeasureIsland, AccelerateIsland>;
+
+using IslandResult = std::variant<std::monostate, IslandProgress, IslandCourse, IslandSamples,
+                                  EnergyFlow, InstantReport>;
 
 struct IslandCall {
   IslandRequest request;

@@ -34,10 +34,11 @@ IslandRun::IslandRun(const IslandTask& task, MovingBaseCache* moving_bases)
 
 IslandResult IslandRun::Do(const IslandRequest& request, const std::atomic<bool>* cancel) {
   cancel_ = cancel;
-  return std::visit([this](const auto& of_a_kind) { return Do(of_a_kind); }, request);
+  return std::visit([this](const auto& of_a_kind) -> IslandResult { return Do(of_a_kind); },
+                    request);
 }
 
-IslandResult IslandRun::Do(const BeginIsland& request) {
+BeginIsland::Result IslandRun::Do(const BeginIsland& request) {
   HAZUMI_ASSERT(request.step_tolerance > 0.0);
   HAZUMI_ASSERT(IsFinite(request.state.q) && IsFinite(request.state.qd));
   Attach(request.curves, request.t, request.end);
@@ -46,7 +47,7 @@ IslandResult IslandRun::Do(const BeginIsland& request) {
   return {};
 }
 
-IslandResult IslandRun::Do(const DriveIsland& request) {
+DriveIsland::Result IslandRun::Do(const DriveIsland& request) {
   Attach(request.curves, request.t, request.end);
   solver_.Restart();
   return {};
@@ -68,53 +69,48 @@ void IslandRun::Attach(const std::shared_ptr<const DrivenMotion>& curves, double
       std::move(carrier), [&] { return kinematics.FitMovingBase(t, end, dynamics_.layout()); }));
 }
 
-IslandResult IslandRun::Do(const AdvanceIsland& request) {
+AdvanceIsland::Result IslandRun::Do(const AdvanceIsland& request) {
   const Clock::time_point start = Clock::now();
   std::optional<ExactFailure> failure;
   while (!failure && solver_.time() <= request.t && solver_.time() < request.end) {
     failure = solver_.Advance(request.end);
   }
-  IslandResult result;
-  result.progress = Progress(failure);
-  result.progress.microseconds = MicrosecondsSince(start);
-  return result;
+  IslandProgress progress = Progress(failure);
+  progress.microseconds = MicrosecondsSince(start);
+  return progress;
 }
 
 // What is at a time is that of the step which ends there, if one does.
-IslandResult IslandRun::Do(const SolveIsland& request) {
+SolveIsland::Result IslandRun::Do(const SolveIsland& request) {
   const Clock::time_point start = Clock::now();
   std::optional<ExactFailure> failure;
-  IslandResult result;
-  result.samples.hinges.reserve(request.times->size() * 2 *
+  IslandCourse course;
+  course.samples.hinges.reserve(request.times->size() * 2 *
                                 static_cast<size_t>(dynamics_.num_hinges()));
   for (const double t : *request.times) {
     while (!failure && solver_.time() < std::min(t, request.end) && !is_cancelled()) {
       failure = solver_.Advance(request.end);
     }
     if (failure || is_cancelled()) break;
-    Sample(t, Gaps::kClosed, &result.samples);
+    Sample(t, Gaps::kClosed, &course.samples);
   }
-  result.progress = Progress(failure);
-  result.progress.microseconds = MicrosecondsSince(start);
-  return result;
+  course.progress = Progress(failure);
+  course.progress.microseconds = MicrosecondsSince(start);
+  return course;
 }
 
-IslandResult IslandRun::Do(const SampleIsland& request) {
-  IslandResult result;
-  Sample(request.t, request.gaps, &result.samples);
-  return result;
+SampleIsland::Result IslandRun::Do(const SampleIsland& request) {
+  IslandSamples samples;
+  Sample(request.t, request.gaps, &samples);
+  return samples;
 }
 
-IslandResult IslandRun::Do(const MeasureIsland& request) {
-  IslandResult result;
-  result.energy = solver_.Energy(request.t);
-  return result;
+MeasureIsland::Result IslandRun::Do(const MeasureIsland& request) {
+  return solver_.Energy(request.t);
 }
 
-IslandResult IslandRun::Do(const AccelerateIsland& request) {
-  IslandResult result;
-  result.instant = solver_.Report(request.t);
-  return result;
+AccelerateIsland::Result IslandRun::Do(const AccelerateIsland& request) {
+  return solver_.Report(request.t);
 }
 
 IslandProgress IslandRun::Progress(const std::optional<ExactFailure>& failure) {

@@ -23,13 +23,13 @@ class IslandRun {
   Work work() const { return dynamics_.model().num_bodies * dynamics_.work(); }
 
  private:
-  IslandResult Do(const BeginIsland& request);
-  IslandResult Do(const DriveIsland& request);
-  IslandResult Do(const AdvanceIsland& request);
-  IslandResult Do(const SolveIsland& request);
-  IslandResult Do(const SampleIsland& request);
-  IslandResult Do(const MeasureIsland& request);
-  IslandResult Do(const AccelerateIsland& request);
+  BeginIsland::Result Do(const BeginIsland& request);
+  DriveIsland::Result Do(const DriveIsland& request);
+  AdvanceIsland::Result Do(const AdvanceIsland& request);
+  SolveIsland::Result Do(const SolveIsland& request);
+  SampleIsland::Result Do(const SampleIsland& request);
+  MeasureIsland::Result Do(const MeasureIsland& request);
+  AccelerateIsland::Result Do(const AccelerateIsland& request);
 
   // The model is moved by these curves, which are smooth from t to `end`.
   void Attach(const std::shared_ptr<const DrivenMotion>& curves, double t, double end);

@@ -53,7 +53,7 @@ void IslandSolution::Drive(double t, double end, std::shared_ptr<const DrivenMot
 void IslandSolution::Advance(double t, double end) {
   if (time_ > t || time_ >= end) return;
   times_.reset();
-  TakeProgress(answers_.Ask(AdvanceIsland{t, end}).progress);
+  TakeProgress(answers_.Ask(AdvanceIsland{t, end}));
 }
 
 bool IslandSolution::LookAhead(std::shared_ptr<const std::vector<double>> times, double end) {
@@ -86,14 +86,14 @@ IslandEvents IslandSolution::TakeEvents() {
   return events;
 }
 
-void IslandSolution::TakeAhead(const IslandResult& result) {
-  TakeProgress(result.progress);
-  samples_ = result.samples;
+void IslandSolution::TakeAhead(const IslandCourse& course) {
+  TakeProgress(course.progress);
+  samples_ = course.samples;
 }
 
 void IslandSolution::Sample(double t, RotationState* state, Gaps gaps) {
   if (const auto ahead = AheadAt(t)) return Scatter(samples_, *ahead, state);
-  Scatter(answers_.Ask(SampleIsland{t, gaps}).samples, 0, state);
+  Scatter(answers_.Ask(SampleIsland{t, gaps}), 0, state);
 }
 
 // Which of the samples is of this time, if it was looked ahead to.
@@ -138,7 +138,7 @@ VecX IslandSolution::Distances(const RotationState& a, const RotationState& b) c
 }
 
 Vec3 IslandSolution::Accelerations(double t, VecX* rates, VecX* accelerations) {
-  const InstantReport& instant = answers_.Ask(AccelerateIsland{t}).instant;
+  const InstantReport& instant = answers_.Ask(AccelerateIsland{t});
   for (size_t i = 0; i < hinges().size(); ++i) {
     (*rates)[hinges()[i]] = instant.qd[static_cast<Eigen::Index>(i)];
     (*accelerations)[hinges()[i]] = instant.qdd[static_cast<Eigen::Index>(i)];
@@ -146,6 +146,6 @@ Vec3 IslandSolution::Accelerations(double t, VecX* rates, VecX* accelerations) {
   return instant.fall;
 }
 
-EnergyFlow IslandSolution::Energy(double t) { return answers_.Ask(MeasureIsland{t}).energy; }
+EnergyFlow IslandSolution::Energy(double t) { return answers_.Ask(MeasureIsland{t}); }
 
 }  // namespace hazumi

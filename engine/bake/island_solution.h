@@ -69,16 +69,14 @@ class IslandSolution {
   Vec3 Accelerations(double t, VecX* rates, VecX* accelerations);
   // What its constraints do there, by index of the task's.
   std::vector<ConstraintPush> ConstraintPushes(double t) {
-    return answers_.Ask(AccelerateIsland{t}).instant.constraints;
+    return answers_.Ask(AccelerateIsland{t}).constraints;
   }
   // What pushes it where it touches the scene; none if it never does.
   std::vector<ContactPush> ContactPushes(double t) {
     if (island_->task.contacts.empty()) return {};
-    return answers_.Ask(AccelerateIsland{t}).instant.contacts;
+    return answers_.Ask(AccelerateIsland{t}).contacts;
   }
-  std::vector<SpentDrive> SpentDrives(double t) {
-    return answers_.Ask(AccelerateIsland{t}).instant.spent;
-  }
+  std::vector<SpentDrive> SpentDrives(double t) { return answers_.Ask(AccelerateIsland{t}).spent; }
   // Returns the events since the last call, without marks and the work of impacts.
   IslandEvents TakeEvents();
   // Returns the work of impacts since the last call.
@@ -95,7 +93,7 @@ class IslandSolution {
 
  private:
   void TakeProgress(const IslandProgress& progress);
-  void TakeAhead(const IslandResult& result);
+  void TakeAhead(const IslandCourse& course);
   std::optional<size_t> AheadAt(double t) const;
   void Scatter(const IslandSamples& samples, size_t index, RotationState* state) const;
 

@@ -18,7 +18,7 @@ constexpr double kSameScale = 1e-4;
 constexpr double kJump = std::numbers::pi / 2.0;  // of an angle, from frame to frame
 
 // Least and greatest by component.
-struct Range {
+struct HingeRange {
   Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
   Vec3 high = -low;
   Vec3 sum = Vec3::Zero();
@@ -32,8 +32,8 @@ struct Range {
   double width() const { return num == 0 ? 0.0 : (high - low).maxCoeff(); }
 };
 
-Range RangeOf(const std::vector<Vec3>& values) {
-  Range range;
+HingeRange RangeOf(const std::vector<Vec3>& values) {
+  HingeRange range;
   for (const Vec3& value : values) range.Take(value);
   return range;
 }
@@ -87,17 +87,17 @@ class Planner {
   // In the parent's frame, without what moves it there: its mean.
   Vec3 Offset(size_t k) {
     const BoneTrack& moved = track(k);
-    const Range scales = RangeOf(moved.scales);
+    const HingeRange scales = RangeOf(moved.scales);
     if (scales.width() > kSameScale) Drop(bone(k), "scale", scales, 1.0, "");
     if (moved.translations.empty()) return bone(k).rest.p;
-    const Range range = RangeOf(moved.translations);
+    const HingeRange range = RangeOf(moved.translations);
     const double scale = skeleton_.rest[bone(k).parent].stretch.diagonal().mean();
     if (range.width() * world_.metres * scale <= kStill) return range.sum / range.num;
     Drop(bone(k), "translation", range, 100.0 * world_.metres * scale, " cm");
     return range.sum / range.num;
   }
 
-  void Drop(const Bone& bone, const char* what, const Range& range, double unit,
+  void Drop(const Bone& bone, const char* what, const HingeRange& range, double unit,
             const char* unit_name) {
     std::string message = std::string(what) + " in its parent is dropped:";
     for (int i = 0; i < 3; ++i) {
@@ -186,7 +186,7 @@ class Planner {
   void PlaceRoot() {
     const int root = skeleton_.bones[0].bone;
     for (int b = root; clip_ && b >= 0; b = character_.bones[b].parent) {
-      const Range scales = RangeOf(clip_->tracks[b].scales);
+      const HingeRange scales = RangeOf(clip_->tracks[b].scales);
       if (scales.width() > kSameScale) Drop(character_.bones[b], "scale", scales, 1.0, "");
     }
     const Mat3 rest = skeleton_.rest[root].R;

@@ -132,7 +132,7 @@ TEST(IslandSolution, TakesItsAnswersFromTheLog) {
   auto log = std::make_shared<IslandLog>(*Walk(c, &nothing).log);
   IslandCall& sample = (*log)[2];
   ASSERT_TRUE(std::holds_alternative<SampleIsland>(sample.request));
-  sample.result.samples.hinges[0] = 12345.0;
+  std::get<IslandSamples>(sample.result).hinges[0] = 12345.0;
   const KnownLogs known = Knowing(log);
   EXPECT_EQ(Walk(c, &known).samples[0].maxCoeff(), 12345.0);
 }

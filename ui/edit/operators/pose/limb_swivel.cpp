@@ -12,7 +12,7 @@ namespace hazumi::edit {
 
 namespace {
 
-constexpr double kTurned = 1e-6;  // what may be left of a turn that succeeds [rad]
+constexpr double kMostLeft = 1e-6;  // what may be left of a turn that succeeds [rad]
 
 bool IsOfLimb(const Link& link, const Limb& limb, const Figure& figure) {
   return link.joint.is_valid() && figure.IsBeyond(link.joint, figure.group(limb.first).first);
@@ -60,7 +60,7 @@ double TurnLimb(double angle, const Limb& limb, const std::vector<JointIndex>& h
     if (std::abs(step) > std::abs(angle - turned)) step = angle - turned;
     VecX next = *q;
     const Mat3 R = Eigen::AngleAxisd(turned + step, line) * R_WB;
-    if (TurnHinges(body, R, hinges, figure, ws, &next) > kTurned) {
+    if (TurnHinges(body, R, hinges, figure, ws, &next) > kMostLeft) {
       step *= 0.5;
       continue;
     }
