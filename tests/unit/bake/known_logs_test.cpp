@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <utility>
 
 #include "engine/bake/moving_base_cache.h"
 
@@ -20,7 +21,9 @@ BeginIsland RequestAt(double t) {
 std::shared_ptr<const IslandLog> LogOf(const BeginIsland& request, double time = 0.0) {
   IslandLog log(1);
   log[0].request = request;
-  log[0].result.progress.time = time;
+  IslandProgress progress;
+  progress.time = time;
+  log[0].result = std::move(progress);
   return std::make_shared<const IslandLog>(std::move(log));
 }
 
