@@ -63,6 +63,26 @@ TEST(SelectedKeys, DraggedAcrossAKeyAndOnLeaveItThere) {
   EXPECT_EQ(session.selected_keys(), (KeySelection{{"r_knee", {5, 10}}}));
 }
 
+// Items of every kind go along once in a drag, however often the mouse moves.
+TEST(SelectedKeys, DraggedTakeItemsOfEveryKindAlongOnce) {
+  Session session = Knee();
+  Do(&session, "force.add", {{"kind", "wind"}, {"first", 6}, {"last", 9}});
+  Do(&session, "constraint.add", {{"a", "r_wrist"}, {"first", 6}, {"last", 9}});
+  Do(&session, "hold.add", {{"joint", "l_wrist"}, {"first", 6}, {"last", 9}});
+  Do(&session, "marker.add", {{"frame", 7}, {"name", "here"}});
+  Do(&session, "keys.select_all");
+  for (const int frames : {2, 4, 5}) {
+    Do(&session, "keys.move", {{"frames", frames}, {"drag", "1"}});
+  }
+  const Project& project = session.project();
+  EXPECT_EQ(project.forces.at(0).first_frame, 11);
+  EXPECT_EQ(project.forces.at(0).last_frame, 14);
+  EXPECT_EQ(project.constraints.at(0).first_frame, 11);
+  EXPECT_EQ(project.constraints.at(0).last_frame, 14);
+  EXPECT_EQ(project.holds.at(0).first_frame, 11);
+  EXPECT_EQ(project.markers.at(0).frame, 12);
+}
+
 TEST(SelectedKeys, DraggedBackAreNoStep) {
   Session session = Knee();
   const size_t steps = session.document().num_steps();

@@ -6,6 +6,7 @@
 #include "engine/base/text.h"
 #include "engine/project/edits/key_selection.h"
 #include "engine/project/edits/keys.h"
+#include "engine/project/items.h"
 #include "ui/edit/fields/item_fields.h"
 #include "ui/edit/operators/edits.h"
 
@@ -34,15 +35,11 @@ struct SelectedCurve {
   std::set<double>* selected_after;
 };
 
-// All that has frames, as it was when a drag began.
+// Sets curves and items of all kinds to what they were when a drag began.
 void TakeFramesOf(const Project& start, Project* project) {
   project->root.curves = start.root.curves;
   project->joints = start.joints;
-  project->regions = start.regions;
-  project->placements = start.placements;
-  project->holds = start.holds;
-  project->held_objects = start.held_objects;
-  project->markers = start.markers;
+  ForEachItemList([](auto, auto& now, const auto& before) { now = before; }, *project, start);
 }
 
 // `edit(curve)` for each curve with selected keys, as they were when the drag began. `id`: the
