@@ -6,6 +6,7 @@
 
 #include "engine/project/checks/field_checker.h"
 #include "engine/project/checks/field_checks.h"
+#include "engine/project/items.h"
 #include "engine/timeline/solver_rules.h"
 
 namespace hazumi {
@@ -104,7 +105,6 @@ void CheckSpan(const Item& item, const Site& site) {
 }
 
 void CheckRegion(const ProjectRegion& region, const ProjectRate& rate, const Site& site) {
-  CheckSpan(region, site);
   if (region.joints.empty()) site.Field("joints").Report(Check::kRegionEmpty);
   for (size_t i = 0; i < region.drives.size(); ++i) {
     const ProjectDrive& drive = region.drives[i];
@@ -132,8 +132,6 @@ void ForEach(const Items& items, const Site& site, CheckItem check) {
 
 void CheckScene(const Project& project, const Site& site) {
   const Site objects = site.Field("scene").Field("objects");
-  CheckNamesUnique(project.scene.objects, objects);
-  CheckNamesUnique(project.held_objects, site.Field("held_objects"));
   ForEach(project.scene.objects, objects, [](const auto& object, const Site& place) {
     const auto* plane = std::get_if<ProjectPlane>(&object.shape);
     if (plane) CheckUnitVector(plane->normal, place.Field("plane").Field("normal"));
@@ -146,11 +144,24 @@ void CheckScene(const Project& project, const Site& site) {
   if (project.camera) CheckCamera(*project.camera, site.Field("camera"));
 }
 
+// Checks what all kinds of items have: unique names, and last frames behind the first.
+void CheckItems(const Project& project, const Site& site) {
+  const auto check = [&]<typename Item>(auto kind, const std::vector<Item>& items) {
+    const Site list = site.Field(kind.kList);
+    if constexpr (HasUniqueName<Item>) CheckNamesUnique(items, list);
+    if constexpr (SpanItem<Item>) {
+      ForEach(items, list, [](const Item& item, const Site& place) {
+        if (!IsOneFrame(item)) CheckSpan(item, place);
+      });
+    }
+  };
+  ForEachItemList(check, project);
+}
+
 }  // namespace
 
 void CheckDocument(const Project& project, FirstError* errors) {
   const Site site{"", errors};
-  const auto check_span = [](const auto& span, const Site& place) { CheckSpan(span, place); };
   CheckTime(project, site);
   CheckSolver(project.solver, site.Field("solver"));
   FieldChecker fields(errors);
@@ -159,19 +170,11 @@ void CheckDocument(const Project& project, FirstError* errors) {
   CheckCurves(project, site);
   CheckNamesUnique(project.selection_sets, site.Field("selection_sets"));
   ForEach(project.selection_sets, site.Field("selection_sets"), CheckSet);
-  CheckNamesUnique(project.regions, site.Field("regions"));
+  CheckItems(project, site);
   ForEach(project.regions, site.Field("regions"),
           [&](const ProjectRegion& region, const Site& place) {
             CheckRegion(region, project.fps, place);
           });
-  ForEach(project.placements, site.Field("placements"), check_span);
-  ForEach(project.holds, site.Field("holds"), check_span);
-  CheckNamesUnique(project.forces, site.Field("forces"));
-  ForEach(project.forces, site.Field("forces"), [](const ProjectForce& force, const Site& place) {
-    if (force.kind != ForceKind::kPush) CheckSpan(force, place);
-  });
-  CheckNamesUnique(project.constraints, site.Field("constraints"));
-  ForEach(project.constraints, site.Field("constraints"), check_span);
 }
 
 }  // namespace hazumi
