@@ -5,6 +5,7 @@
 #include <map>
 
 #include "engine/makers/jumps/jumps.h"
+#include "engine/project/items.h"
 #include "tests/unit/edit/random/drives_of_regions.h"
 #include "tests/unit/edit/random/held_by_hands.h"
 #include "tests/unit/edit/random/likely_numbers.h"
@@ -59,10 +60,24 @@ std::vector<std::string> NamesOf(const List& list) {
   return names;
 }
 
+// Names of the items of a project that a thing means; nothing: it means no kind of items with
+// names.
+std::optional<std::vector<std::string>> NamesOfItems(Thing thing, const Project& project) {
+  std::optional<std::vector<std::string>> names;
+  const auto list = [&]<typename Item>(auto kind, const std::vector<Item>& items) {
+    if constexpr (HasUniqueName<Item>) {
+      if (kind.kThing == thing) names = NamesOf(items);
+    }
+  };
+  ForEachItemList(list, project);
+  return names;
+}
+
 // What a project has of a thing that is named.
 std::vector<std::string> NamesOf(Thing thing, const Session& session) {
   const Figure& figure = session.figure();
   const Project& project = session.project();
+  if (const auto items = NamesOfItems(thing, project)) return *items;
   switch (thing) {
     case Thing::kJoint:
       return NamesOf(figure.groups());
@@ -80,18 +95,8 @@ std::vector<std::string> NamesOf(Thing thing, const Session& session) {
     }
     case Thing::kCurve:
       return CurveNames(project);
-    case Thing::kRegion:
-      return NamesOf(project.regions);
-    case Thing::kObject:
-      return NamesOf(project.scene.objects);
-    case Thing::kHeldObject:
-      return NamesOf(project.held_objects);
     case Thing::kLink:
       return NamesOf(figure.links());
-    case Thing::kForce:
-      return NamesOf(project.forces);
-    case Thing::kConstraint:
-      return NamesOf(project.constraints);
     case Thing::kSceneOrHeldObject: {
       std::vector<std::string> names = NamesOf(project.scene.objects);
       for (const std::string& held : NamesOf(project.held_objects)) names.push_back(held);
@@ -106,15 +111,19 @@ std::vector<std::string> NamesOf(Thing thing, const Session& session) {
 
 // How many a project has of a thing that is counted; none: it is named otherwise.
 std::optional<size_t> CountOf(Thing thing, const Project& project) {
-  if (thing == Thing::kMarker) return project.markers.size();
-  if (thing == Thing::kPlacement) return project.placements.size();
-  if (thing == Thing::kHold) return project.holds.size();
-  return std::nullopt;
+  std::optional<size_t> count;
+  const auto of = [&]<typename Item>(auto kind, const std::vector<Item>& items) {
+    if constexpr (!HasUniqueName<Item>) {
+      if (kind.kThing == thing) count = items.size();
+    }
+  };
+  ForEachItemList(of, project);
+  return count;
 }
 
 bool IsNamed(Thing thing) {
   return (thing >= Thing::kJoint && thing <= Thing::kLink) || thing == Thing::kSelectionSet ||
-         (thing >= Thing::kForce && thing <= Thing::kConstraint);
+         thing == Thing::kSceneOrHeldObject || NamesOfItems(thing, Project());
 }
 
 bool HasAny(Thing thing, const Session& session) {
