@@ -12,6 +12,7 @@
 #include "engine/project/compile_constraints.h"
 #include "engine/project/fields/project_fields.h"
 #include "engine/project/figure_fields.h"
+#include "engine/project/items.h"
 #include "engine/spatial/degrees.h"
 
 namespace hazumi {
@@ -270,14 +271,18 @@ class Compiler {
   OuterForce ToForce(const ProjectForce& source) const {
     OuterForce force{source.name, {}, source.first_frame, source.last_frame};
     const ForcePoint at = {GroupOf(source.joint), source.offset_m};
-    if (source.kind == ForceKind::kWind) {
-      force.action = WindForce{source.velocity_m_s, source.density_kg_m3};
-    } else if (source.kind == ForceKind::kAttract) {
-      force.action = AttractForce{at, source.to_m, source.force_n, source.radius_m};
-    } else {
-      force.action = PushForce{at, source.impulse_n_s};
-      force.last_frame = source.first_frame + 1;
+    switch (source.kind) {
+      case ForceKind::kWind:
+        force.action = WindForce{source.velocity_m_s, source.density_kg_m3};
+        break;
+      case ForceKind::kAttract:
+        force.action = AttractForce{at, source.to_m, source.force_n, source.radius_m};
+        break;
+      case ForceKind::kPush:
+        force.action = PushForce{at, source.impulse_n_s};
+        break;
     }
+    if (IsOneFrame(source)) force.last_frame = source.first_frame + 1;
     return force;
   }
 

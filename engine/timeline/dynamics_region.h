@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +23,9 @@ constexpr const char* NameOf(Method method) {
   }
   return "";
 }
+
+// Rate of a friction factor per 1/30 s [1/s]; infinite for 0, which freezes a joint. [METHOD 2.3]
+inline double FrictionRate(double factor) { return -30.0 * std::log(factor); }
 
 // Frames x joints in which the joints swing by their own inertia (Arai 2.5).
 // Half open: the region drives its joints from `first_frame` up to and including the moment of

@@ -21,9 +21,14 @@ constexpr const char* NameOf(ForceKind kind) {
   }
   return "";
 }
+// Returns whether a force acts at a point of one body (ForcePoint). Others act on all bodies.
+constexpr bool ActsAtPoint(ForceKind kind) {
+  return kind == ForceKind::kAttract || kind == ForceKind::kPush;
+}
 
 // Air everywhere, which moves as a whole.
 struct WindForce {
+  static constexpr ForceKind kKind = ForceKind::kWind;
   Vec3 velocity = Vec3::Zero();  // [m/s], world axes
   double density = 0.0;          // [kg/m^3]
   bool operator==(const WindForce&) const = default;
@@ -38,6 +43,7 @@ struct ForcePoint {
 
 // A pull towards a place: force min(distance / radius, 1).
 struct AttractForce {
+  static constexpr ForceKind kKind = ForceKind::kAttract;
   ForcePoint at;
   Vec3 to = Vec3::Zero();  // [m], world
   double force = 0.0;      // [N]
@@ -47,6 +53,7 @@ struct AttractForce {
 
 // An impulse at the instant of the first frame.
 struct PushForce {
+  static constexpr ForceKind kKind = ForceKind::kPush;
   ForcePoint at;
   Vec3 impulse = Vec3::Zero();  // [N s], world axes
   bool operator==(const PushForce&) const = default;
@@ -59,7 +66,9 @@ struct OuterForce {
   // Half open; of a push its frame and the next one.
   int first_frame = 0, last_frame = 0;
 
-  ForceKind kind() const { return static_cast<ForceKind>(action.index()); }
+  ForceKind kind() const {
+    return std::visit([](const auto& of_a_kind) { return of_a_kind.kKind; }, action);
+  }
   bool operator==(const OuterForce&) const = default;
 };
 

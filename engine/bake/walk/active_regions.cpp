@@ -23,9 +23,6 @@ constexpr double kStepShare = 0.05;
 // What is pushed is so by hundreds of newtons: where it is off, energy is.
 constexpr double kPushedShare = 0.01;
 
-// Friction is a factor per 1/30 s. [METHOD 2.3]
-double FrictionRate(double factor) { return -30.0 * std::log(factor); }
-
 // Calls action(coordinate), in the order of the model's free hinges.
 template <typename Action>
 void ForEachFreeHinge(const RegionModel& model, Action&& action) {

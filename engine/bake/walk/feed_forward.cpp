@@ -27,7 +27,7 @@ FeedForward::FeedForward(const Animation& animation, const Figure& figure,
     const DynamicsRegion& region = animation.regions[r];
     for (size_t i = 0; i < region.joints.size(); ++i) {
       if (region.friction[i] == 0.0) continue;  // it keeps its angle
-      friction_[region.joints[i].value()] = -30.0 * std::log(region.friction[i]);
+      friction_[region.joints[i].value()] = FrictionRate(region.friction[i]);
     }
     for (const Drive& drive : region.drives) {
       for (const JointIndex j : drive.joints) {

@@ -176,7 +176,7 @@ void CheckNames(const Project& project, const Figure& figure, FirstError* errors
   }
   for (size_t i = 0; i < project.forces.size(); ++i) {
     const ProjectForce& force = project.forces[i];
-    if (force.kind == ForceKind::kWind || MeansRoot(force.joint, figure)) continue;
+    if (!ActsAtPoint(force.kind) || MeansRoot(force.joint, figure)) continue;
     ExpectJoint(force.joint, figure, site.Field("forces").Item(i).Field("joint"));
   }
   CheckConstraintNames(project, figure, site.Field("constraints"));

@@ -40,7 +40,8 @@ void Describe(Ar& ar, Ref<Ar, ProjectForce> force) {
                  .range = kNotNegative,
                  .step = 0.005},
                 force.density_kg_m3, kDensityOfAir);
-  } else {
+  }
+  if (ActsAtPoint(force.kind)) {
     ar.Required({.name = "joint",
                  .label = "Joint",
                  .help = "the joint on whose body it acts",

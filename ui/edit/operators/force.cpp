@@ -38,7 +38,7 @@ ProjectForce OfAnotherKind(const ProjectForce& before, ForceKind kind, const Ses
   force.extra = before.extra;
   force.identity = before.identity;
   if (before.kind != ForceKind::kPush) force.last_frame = before.last_frame;
-  if (before.kind == ForceKind::kWind || kind == ForceKind::kWind) return force;
+  if (!ActsAtPoint(before.kind) || !ActsAtPoint(kind)) return force;
   force.joint = before.joint;
   force.offset_m = before.offset_m;
   return force;
@@ -48,11 +48,11 @@ ProjectForce OfAnotherKind(const ProjectForce& before, ForceKind kind, const Ses
 // the same.
 void DropHidden(ProjectForce* force) {
   const ProjectForce none;
-  const bool is_wind = force->kind == ForceKind::kWind;
-  if (!is_wind) {
+  if (force->kind != ForceKind::kWind) {
     force->velocity_m_s = none.velocity_m_s;
     force->density_kg_m3 = none.density_kg_m3;
-  } else {
+  }
+  if (!ActsAtPoint(force->kind)) {
     force->joint = none.joint;
     force->offset_m = none.offset_m;
   }
@@ -78,7 +78,7 @@ Result<Done> SetOwnFields(const Session& session, const Parameters& p, ProjectFo
     if (Result<Done> set = SetFields(p, &changed); !set.ok()) return set;
   }
   *force = std::move(changed);
-  if (force->kind != ForceKind::kWind && force->joint.empty()) force->joint = LikelyJoint(session);
+  if (ActsAtPoint(force->kind) && force->joint.empty()) force->joint = LikelyJoint(session);
   const ProjectFrames& all = session.project().frames;
   if (force->kind != ForceKind::kPush && !p.has("last") && !p.has("first") &&
       force->last_frame <= force->first_frame) {
