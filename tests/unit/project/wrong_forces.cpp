@@ -17,7 +17,7 @@ const std::string kMagnet = R"({"name": "magnet", "kind": "attract", "joint": "r
 const std::string kBlow = R"({"name": "blow", "kind": "push", "joint": "r_elbow",
                               "impulse_n_s": [7, 0, 0], "frame": 12})";
 
-Changes With(const std::string& forces, const Changes& more = {}) {
+Changes WithForces(const std::string& forces, const Changes& more = {}) {
   Changes changes = {{"/solver/method", "\"exact\""},
                      {"/regions/0/method", "\"exact\""},
                      {"/forces", "[" + forces + "]"}};
@@ -27,38 +27,39 @@ Changes With(const std::string& forces, const Changes& more = {}) {
 
 std::vector<WrongProject> WrongForceValues() {
   return {
-      {Check::kNotPositive, Read(With(kMagnet, {{"/forces/0/radius_m", "0"}})),
+      {Check::kNotPositive, Read(WithForces(kMagnet, {{"/forces/0/radius_m", "0"}})),
        "forces[0].radius_m: must be greater than 0, is 0"},
-      {Check::kNegative, Read(With(kMagnet, {{"/forces/0/force_n", "-1"}})),
+      {Check::kNegative, Read(WithForces(kMagnet, {{"/forces/0/force_n", "-1"}})),
        "forces[0].force_n: must not be negative, is -1"},
-      {Check::kNegative, Read(With(kBreeze, {{"/forces/0/density_kg_m3", "-1.2"}})),
+      {Check::kNegative, Read(WithForces(kBreeze, {{"/forces/0/density_kg_m3", "-1.2"}})),
        "forces[0].density_kg_m3: must not be negative, is -1.2"},
-      {Check::kWrongType, Read(With(kBreeze, {{"/forces/0/velocity_m_s/1", "\"fast\""}})),
+      {Check::kWrongType, Read(WithForces(kBreeze, {{"/forces/0/velocity_m_s/1", "\"fast\""}})),
        "forces[0].velocity_m_s[1]: expected a number, found a string"},
-      {Check::kWrongCount, Read(With(kBlow, {{"/forces/0/impulse_n_s", "[1, 2]"}})),
+      {Check::kWrongCount, Read(WithForces(kBlow, {{"/forces/0/impulse_n_s", "[1, 2]"}})),
        "forces[0].impulse_n_s: expected 3 values, found 2"},
-      {Check::kUnknownChoice, Read(With(kBreeze, {{"/forces/0/kind", "\"winds\""}})),
+      {Check::kUnknownChoice, Read(WithForces(kBreeze, {{"/forces/0/kind", "\"winds\""}})),
        "forces[0].kind: there is no force kind \"winds\"; did you mean \"wind\"?"},
-      {Check::kMissingField, Read(With(kBlow, {{"/forces/0/frame", ""}})),
+      {Check::kMissingField, Read(WithForces(kBlow, {{"/forces/0/frame", ""}})),
        "forces[0]: the field \"frame\" is missing; add it"},
-      {Check::kEmptyName, Read(With(kBlow, {{"/forces/0/joint", "\"\""}})),
+      {Check::kEmptyName, Read(WithForces(kBlow, {{"/forces/0/joint", "\"\""}})),
        "forces[0].joint: must not be empty"},
-      {Check::kSpanEmpty, Read(With(kBreeze, {{"/forces/0/last_frame", "5"}})),
+      {Check::kSpanEmpty, Read(WithForces(kBreeze, {{"/forces/0/last_frame", "5"}})),
        "forces[0]: first_frame 5 must be before last_frame 5"},
-      {Check::kNameTwice, Read(With(kBreeze + "," + kBlow, {{"/forces/1/name", "\"breeze\""}})),
+      {Check::kNameTwice,
+       Read(WithForces(kBreeze + "," + kBlow, {{"/forces/1/name", "\"breeze\""}})),
        "forces[1].name: the name \"breeze\" is already used by forces[0]; choose another"},
-      {Check::kUnknownJoint, Read(With(kMagnet, {{"/forces/0/joint", "\"r_wrst\""}})),
+      {Check::kUnknownJoint, Read(WithForces(kMagnet, {{"/forces/0/joint", "\"r_wrst\""}})),
        "forces[0].joint: no joint \"r_wrst\"; did you mean \"r_wrist\"?"},
   };
 }
 
 std::vector<WrongProject> ForceContradictions() {
   return {
-      {Check::kOutsideFrames, Compile(With(kBreeze, {{"/forces/0/last_frame", "31"}})),
+      {Check::kOutsideFrames, Compile(WithForces(kBreeze, {{"/forces/0/last_frame", "31"}})),
        "forces[0]: frames 5 to 31 are not within the project's frames 0 to 30"},
-      {Check::kReleaseOutside, Compile(With(kBlow, {{"/forces/0/frame", "30"}})),
+      {Check::kReleaseOutside, Compile(WithForces(kBlow, {{"/forces/0/frame", "30"}})),
        "forces[0].frame: frame 30 is not within the project's frames 0 to 29"},
-      {Check::kWindsOverlap, Compile(With(kBreeze + "," + kGust)),
+      {Check::kWindsOverlap, Compile(WithForces(kBreeze + "," + kGust)),
        "forces[1]: winds \"breeze\" and \"gust\" both blow in frames 12 to 18; end one where the "
        "other begins"},
       {Check::kForceInPaper,
@@ -67,17 +68,17 @@ std::vector<WrongProject> ForceContradictions() {
        "\"paper\", "
        "which knows no forces from outside; choose method \"exact\" for it, or end one where the "
        "other begins"},
-      {Check::kPushFeltByNone, Compile(With(kBlow, {{"/forces/0/frame", "4"}})),
+      {Check::kPushFeltByNone, Compile(WithForces(kBlow, {{"/forces/0/frame", "4"}})),
        "forces[0]: no region moves \"r_elbow\" in frame 4, so that nothing can give way to "
        "\"blow\"; begin a region there that has it or a joint between it and the root, or move the "
        "push to a frame inside one"},
-      {Check::kPushFeltByNone, Compile(With(kBlow, {{"/forces/0/joint", "\"pelvis\""}})),
+      {Check::kPushFeltByNone, Compile(WithForces(kBlow, {{"/forces/0/joint", "\"pelvis\""}})),
        "forces[0]: no region moves \"pelvis\" in frame 12, so that nothing can give way to "
        "\"blow\"; begin a region there that has it or a joint between it and the root, or move the "
        "push to a frame inside one"},
       // In gravity everything may give way.
       {Check::kNumChecks,
-       Compile(With(kBlow, {{"/forces/0/frame", "16"}, {"/forces/0/joint", "\"pelvis\""}})),
+       Compile(WithForces(kBlow, {{"/forces/0/frame", "16"}, {"/forces/0/joint", "\"pelvis\""}})),
        "no complaint"},
   };
 }
@@ -109,11 +110,11 @@ std::vector<WrongProject> WrongSurfaces() {
 
 std::vector<WrongProject> ForceWarnings() {
   return {
-      {Check::kForceFeltByNone, Warn(With(kMagnet, {{"/forces/0/joint", "\"l_knee\""}})),
+      {Check::kForceFeltByNone, Warn(WithForces(kMagnet, {{"/forces/0/joint", "\"l_knee\""}})),
        "forces[0]: nothing feels \"magnet\": no region moves \"l_knee\" in frames 5 to 15; add "
        "one, or remove the force"},
       {Check::kForceFeltByNone,
-       Warn(With(kBreeze, {{"/forces/0/first_frame", "0"}, {"/forces/0/last_frame", "5"}})),
+       Warn(WithForces(kBreeze, {{"/forces/0/first_frame", "0"}, {"/forces/0/last_frame", "5"}})),
        "forces[0]: nothing feels \"breeze\": no region moves anything in frames 0 to 5; add one, "
        "or remove the force"},
   };
