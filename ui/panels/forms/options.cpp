@@ -69,6 +69,7 @@ std::vector<FormOption> NamesIn(const std::vector<T>& list) {
 // Lists markers and spans by their numbers: names of markers need not differ, spans have none.
 std::vector<FormOption> NamesIn(const std::vector<ProjectMarker>& markers) {
   std::vector<FormOption> options;
+  options.reserve(markers.size());
   for (const ProjectMarker& marker : markers) {
     options.push_back({std::to_string(options.size()),
                        marker.name + " (" + std::to_string(marker.frame) + ")", ""});
@@ -79,6 +80,7 @@ template <typename T>
 requires requires(T span) { TitleOf(span); }
 std::vector<FormOption> NamesIn(const std::vector<T>& spans) {
   std::vector<FormOption> options;
+  options.reserve(spans.size());
   for (const T& span : spans) {
     options.push_back({std::to_string(options.size()),
                        TitleOf(span) + " (" + SpanText(span.first_frame, span.last_frame) + ")",
