@@ -67,7 +67,8 @@ TEST(SelectedKeys, DraggedAcrossAKeyAndOnLeaveItThere) {
 TEST(SelectedKeys, DraggedTakeItemsOfEveryKindAlongOnce) {
   Session session = Knee();
   Do(&session, "force.add", {{"kind", "wind"}, {"first", 6}, {"last", 9}});
-  Do(&session, "constraint.add", {{"a", "r_wrist"}, {"first", 6}, {"last", 9}});
+  Do(&session, "constraint.add",
+     {{"kind", "point"}, {"a_joint", "r_wrist"}, {"first", 6}, {"last", 9}});
   Do(&session, "hold.add", {{"joint", "l_wrist"}, {"first", 6}, {"last", 9}});
   Do(&session, "marker.add", {{"frame", 7}, {"name", "here"}});
   Do(&session, "keys.select_all");
