@@ -5,10 +5,10 @@
 #include <map>
 
 #include "engine/makers/jumps/jumps.h"
-#include "engine/project/items.h"
 #include "tests/unit/edit/random/drives_of_regions.h"
 #include "tests/unit/edit/random/held_by_hands.h"
 #include "tests/unit/edit/random/likely_numbers.h"
+#include "tests/unit/edit/random/named_things.h"
 #include "ui/edit/fields/item_fields.h"
 #include "ui/edit/operators/edits.h"
 #include "ui/edit/operators/pose/posing.h"
@@ -51,84 +51,6 @@ Json AnyValue(ParameterKind kind, Random* random) {
       return list;
   }
   return list;
-}
-
-template <typename List>
-std::vector<std::string> NamesOf(const List& list) {
-  std::vector<std::string> names;
-  for (const auto& entry : list) names.push_back(entry.name);
-  return names;
-}
-
-// Names of the items of a project that a thing means; nothing: it means no kind of items with
-// names.
-std::optional<std::vector<std::string>> NamesOfItems(Thing thing, const Project& project) {
-  std::optional<std::vector<std::string>> names;
-  const auto list = [&]<typename Item>(auto kind, const std::vector<Item>& items) {
-    if constexpr (HasUniqueName<Item>) {
-      if (kind.kThing == thing) names = NamesOf(items);
-    }
-  };
-  ForEachItemList(list, project);
-  return names;
-}
-
-// What a project has of a thing that is named.
-std::vector<std::string> NamesOf(Thing thing, const Session& session) {
-  const Figure& figure = session.figure();
-  const Project& project = session.project();
-  if (const auto items = NamesOfItems(thing, project)) return *items;
-  switch (thing) {
-    case Thing::kJoint:
-      return NamesOf(figure.groups());
-    case Thing::kHinge:
-      return NamesOf(figure.joints());
-    case Thing::kJointOrHinge: {
-      std::vector<std::string> names = NamesOf(figure.groups()), hinges = NamesOf(figure.joints());
-      names.insert(names.end(), hinges.begin(), hinges.end());
-      return names;
-    }
-    case Thing::kJointOrRoot: {
-      std::vector<std::string> names = NamesOf(figure.groups());
-      names.push_back(figure.root_name());
-      return names;
-    }
-    case Thing::kCurve:
-      return CurveNames(project);
-    case Thing::kLink:
-      return NamesOf(figure.links());
-    case Thing::kSceneOrHeldObject: {
-      std::vector<std::string> names = NamesOf(project.scene.objects);
-      for (const std::string& held : NamesOf(project.held_objects)) names.push_back(held);
-      return names;
-    }
-    case Thing::kSelectionSet:
-      return NamesOf(project.selection_sets);
-    default:
-      return {};
-  }
-}
-
-// How many a project has of a thing that is counted; none: it is named otherwise.
-std::optional<size_t> CountOf(Thing thing, const Project& project) {
-  std::optional<size_t> count;
-  const auto of = [&]<typename Item>(auto kind, const std::vector<Item>& items) {
-    if constexpr (!HasUniqueName<Item>) {
-      if (kind.kThing == thing) count = items.size();
-    }
-  };
-  ForEachItemList(of, project);
-  return count;
-}
-
-bool IsNamed(Thing thing) {
-  return (thing >= Thing::kJoint && thing <= Thing::kLink) || thing == Thing::kSelectionSet ||
-         thing == Thing::kSceneOrHeldObject || NamesOfItems(thing, Project());
-}
-
-bool HasAny(Thing thing, const Session& session) {
-  if (const auto count = CountOf(thing, session.project())) return *count > 0;
-  return !IsNamed(thing) || !NamesOf(thing, session).empty();
 }
 
 Json LikelyNumberFor(const std::string& id, const ParameterInfo& info, const Session& session,
