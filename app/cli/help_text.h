@@ -9,7 +9,7 @@
 
 namespace hazumi {
 
-// What `hazumi --help` prints, at most 80 columns wide.
+// Text that `hazumi --help` prints, at most 80 columns wide.
 std::string HelpText();
 
 // The manual page hazumi(1), in the macros of man(7).

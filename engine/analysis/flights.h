@@ -57,12 +57,12 @@ std::vector<Flight> FindFlights(const MotionSeries& series);
 // indented. Frames are those of the clip.
 std::vector<std::string> FlightReport(const FlightAnalysis& analysis);
 
-// What the clip's units of time and length must be, as a sentence: "this clip plays at 1/4 speed:
+// Returns a sentence about the unit of time that gravity suggests: "this clip plays at 1/4 speed:
 // its frame time is probably 1/120 s, not 1/30 s". Empty where there is nothing to judge by.
 std::string TimeSentence(const TimeScale& time);
 
-// What gravity says of a unit of length that was guessed; empty if it was stated or if there is
-// nothing to judge by.
+// Returns a sentence about a unit of length that was guessed, as gravity suggests it. Empty if it
+// was stated or if there is nothing to judge by.
 std::string LengthSentence(const TimeScale& time);
 
 }  // namespace hazumi

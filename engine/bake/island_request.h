@@ -32,7 +32,7 @@ inline auto MembersOf(const IslandTask& task) {
   return std::tie(model, lower, upper, forces, gravity, constraints, contacts);
 }
 
-// How far it got, what happened on the way, and why it cannot go on, if so.
+// Progress of an island: the time reached, events, and the failure that ends it, if any.
 struct IslandProgress {
   double time = 0.0, step_start = 0.0;  // end and start of its last step [s]
   std::optional<ExactFailure> failure;
@@ -45,7 +45,7 @@ struct IslandProgress {
 struct IslandSamples {
   // Angles, then rates, by free hinge; of several times one after the other.
   std::vector<double> hinges;
-  // By time, where any of it is solved along.
+  // One for each time, if any of it is solved along.
   std::vector<OuterMotion> outer;
 };
 
@@ -55,8 +55,8 @@ struct IslandCourse {
   IslandSamples samples;
 };
 
-// What an island is asked to do, one after the other; its answers, each of the type Result, depend
-// on nothing else. Times [s].
+// Requests to an island, one after the other. Its answers, each of the type Result, depend on
+// nothing else. Times [s].
 //
 // Begins at t in this state, moved by curves that are smooth up to `end` and numbered as CurvesOf
 // does it.

@@ -28,7 +28,8 @@ Result<Image> DecodeImage(std::span<const std::uint8_t> file) {
 
 namespace {
 
-// Of all that are allowed together, as many are left as `pixels_left` says.
+// Decodes a picture of at most `pixels_left` pixels, and subtracts its own. Pictures of one file
+// share a limit.
 Result<Image> DecodeWithin(std::span<const std::uint8_t> file, std::int64_t* pixels_left) {
   Result<Image> image = DecodeImage(file);
   if (!image.ok()) return image;

@@ -46,8 +46,8 @@ struct ProjectSkin {
   }
 };
 
-// What a thing that is held looks like: meshes bound to one bone, its own; null: its shape. They
-// are stretched to fill the box around the shape.
+// The look of a held object: meshes bound to one bone, its own, and stretched to fill the box
+// around its shape. Null: the shape itself.
 struct ProjectMesh {
   std::shared_ptr<const Skin> skin;
 

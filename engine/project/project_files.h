@@ -15,7 +15,7 @@ std::string ReferencePath(const Project& project, const std::string& project_pat
 // Protects these files and the project's own file from being overwritten (KeepInput).
 void KeepFilesOf(const Project& project, const std::string& project_path);
 
-// What a project is called where it is shown: its name or, if nobody gave it one, that of its file
+// Returns the name under which a project is shown: its own or, if it has none, that of its file
 // without the suffix. A new project is called "Untitled".
 std::string ShownName(const std::string& name, const std::string& file);
 

@@ -92,8 +92,8 @@ struct CurveRange {
   double frame_of_least = 0.0, frame_of_greatest = 0.0;
 };
 
-// Of keys that nothing takes over, of which there is at least one: between its keys a curve may go
-// further than any of them. All keys as they are if the curve is constant.
+// Returns the range of a curve, which may go further between its keys than any of them. Requires at
+// least one key, and that nothing takes the curve over.
 CurveRange RangeOf(const Keys& keys, FrameRate rate);
 
 }  // namespace hazumi

@@ -18,7 +18,7 @@ struct PicturePlane {
   std::shared_ptr<const Image> image;
   double opacity = 1.0;
   bool is_background = false;  // as large as the view holds it whole
-  // Of a plane: where its lower left corner is, and its edges from there [m].
+  // The lower left corner of the plane, and its edges from there [m].
   Vec3 corner = Vec3::Zero(), right = Vec3::UnitX(), up = Vec3::UnitZ();
 };
 

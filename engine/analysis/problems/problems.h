@@ -30,7 +30,7 @@ struct ContactJerk {
 // motion at the animation's frame rate.
 std::vector<ContactJerk> ContactJerks(const Animation& animation, const Motion& motion);
 
-// What nobody holds goes into something of the scene: nothing stops it but keys.
+// An object that nobody holds goes into an object of the scene: nothing stops it but keys.
 struct FallThrough {
   int object = 0;  // of the animation's held objects
   int frame = 0;   // the first, of those that an animation numbers

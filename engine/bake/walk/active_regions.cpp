@@ -20,7 +20,7 @@ namespace {
 
 // A step's error is a small part of what is allowed at the end, since errors grow on the way.
 constexpr double kStepShare = 0.05;
-// What is pushed is so by hundreds of newtons: where it is off, energy is.
+// Pushes are of hundreds of newtons: an error of a position is a large error of energy.
 constexpr double kPushedShare = 0.01;
 
 // Calls action(coordinate), in the order of the model's free hinges.

@@ -57,7 +57,7 @@ class ActiveRegions {
   // The same with what is tied: by the constraints `acting`, by contacts, by loose objects.
   ModelRequest RequestWithTies(const RotationState& state, const RootHold& hold,
                                const DrivenMotion& driven, const std::vector<int>& acting) const;
-  // What acts on islands from one instant on.
+  // Circumstances of islands that begin at the same time.
   struct Circumstances {
     double t = 0.0;                         // at which outer forces are looked up [s]
     bool has_ties = false;                  // of the request

@@ -13,7 +13,7 @@ namespace hazumi {
 struct GltfNodes {
   std::vector<int> in_scene;  // by node of the document: index in the scene; -1: not in it
 
-  // By an index as JSON has it; -1: no node of the scene.
+  // Returns the node with an index as JSON has it; -1: no node of the scene.
   int Find(const nlohmann::json& index) const;
 };
 

@@ -48,9 +48,9 @@ std::vector<double> MeshVolumes(const Skin& skin, const FigurePlan& plan);
 std::string Weigh(const Skeleton& skeleton, const FigurePlan& plan, const Skin& skin, double mass,
                   std::vector<std::vector<LinkSpec>>* links);
 
-// How high [m] the ground is under a figure that stands on it: where the lowest point of its skin,
-// or without one of its capsules, `links` by kept bone, comes in the clip, but for one frame in
-// twenty. 0 if that is but a few centimetres off.
+// Returns the height of the ground under a figure that stands on it [m]: the lowest place in the
+// clip, except in one frame of twenty, of its skin or, without a skin, of its capsules (`links`, by
+// kept bone). 0 if that is within a few centimetres of 0.
 double GroundUnder(const FigurePlan& plan, const Skin& skin,
                    const std::vector<std::vector<LinkSpec>>& links);
 

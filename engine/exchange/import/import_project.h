@@ -35,7 +35,7 @@ struct ImportOptions {
   bool skin = true;
 };
 
-// How the file of an import is read.
+// Returns the options with which the file of an import is read.
 inline ReadOptions ReadOptionsFor(const ImportOptions& options) {
   ReadOptions reading;
   reading.character = options.character;
@@ -44,7 +44,7 @@ inline ReadOptions ReadOptionsFor(const ImportOptions& options) {
   return reading;
 }
 
-// What an import did, for the person who asked for it.
+// Report of an import, for the person who asked for it.
 struct ImportReport {
   std::vector<std::string> facts;  // sentences: size, axes, clip, keys
   std::vector<Warning> warnings;   // what was guessed, dropped or repaired

@@ -35,7 +35,7 @@ struct ImpactWork {
   }
 };
 
-// What happened to an island between two reports, in order.
+// Events of an island between two reports, in order.
 struct IslandEvents {
   std::vector<LimitHit> hits;
   std::vector<TouchDown> touches;

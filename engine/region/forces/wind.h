@@ -63,8 +63,8 @@ struct AirCoefficients {
 };
 AirCoefficients CoefficientsOf(const LinkSurface& surface, double angle);
 
-// What air of a density [kg/m^3] that moves with u [m/s], relative to it, does to a surface of unit
-// normal n [N]. n and u in one frame. [METHOD 9.1]
+// Returns the force [N] of air of a density [kg/m^3] that moves with u [m/s], relative to a surface
+// of unit normal n. n and u in one frame. [METHOD 9.1]
 Vec3 AirOnSurface(const LinkSurface& surface, double density, const Vec3& n, const Vec3& u);
 
 }  // namespace hazumi

@@ -1,4 +1,4 @@
-// What holds of every kind of item.
+// Properties of every kind of item.
 
 #include "engine/project/items.h"
 

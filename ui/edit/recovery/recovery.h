@@ -44,8 +44,8 @@ Result<Recovered> RecoverJournal(const std::string& file, Session* session);
 // Errors: kFailed if a Hazumi which runs has it.
 Result<Done> DiscardJournal(const std::string& file);
 
-// Where what outlives the program, and is no document, is kept: $XDG_STATE_HOME/hazumi, else
-// ~/.local/state/hazumi. `variable` looks up the environment and may give null: std::getenv.
+// Returns the folder for data that outlives the program and is no document: $XDG_STATE_HOME/hazumi,
+// else ~/.local/state/hazumi. `variable` looks up the environment and may give null: std::getenv.
 // Error: kFailed if there is no home either.
 Result<std::string> StateFolder(const std::function<const char*(const char* name)>& variable);
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// What is in a motion file, read from its bytes: the preview of what will be written. And what the
-// export dialog says of it, in the interface's language.
+// A summary of a motion file, read from its bytes: the preview of an export. And the sentences of
+// the export dialog about it, in the language of the interface.
 
 #include <set>
 #include <string>
@@ -36,7 +36,7 @@ std::string SizeText(size_t num_bytes);
 // "22 joints, 48 frames, 30 fps, 1.6 s, 310 kB" and what the format has beside that, a line each.
 // `summary` is not needed for a video.
 std::vector<std::string> ExportFacts(const Editor& editor, const ExportSummary* summary);
-// What a user might look for in the file and will not find: "2 regions", "ball".
+// Lists what a user might look for in the file and will not find: "2 regions", "ball".
 std::vector<std::string> LeftOut(const Editor& editor, const ExportSummary* summary);
 
 }  // namespace hazumi::ui

@@ -19,7 +19,7 @@
 
 namespace hazumi::ui {
 
-// What a crash left behind and the user has not been asked about yet.
+// Work that a crash left behind and that the user has not been asked about yet.
 struct RecoveryState {
   std::vector<edit::AbandonedJournal> journals;
   // Takes the work up again, or throws it away; given by whoever keeps the journals.

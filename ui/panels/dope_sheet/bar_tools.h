@@ -12,7 +12,8 @@ namespace hazumi::ui {
 // if no bar is chosen.
 std::unique_ptr<Tool> MakeDragBar(Editor* editor, Point start, SheetPart part);
 
-// How strong the spring of a region's bar is, by pulling it up or down. The bar is the chosen one.
+// Changes the strength of the spring of a region's bar by pulling it up or down. Requires that the
+// bar is chosen.
 std::unique_ptr<Tool> MakeDragStrength(Editor* editor, Point start, const RowBar& bar);
 
 // The playhead follows the mouse; so does the pose.

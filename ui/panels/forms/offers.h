@@ -19,7 +19,7 @@ struct FormOption {
   bool operator==(const FormOption&) const = default;
 };
 
-// What a parameter may be, in the project as it is; empty if anything.
+// Lists the values that a parameter may have in the project as it is; empty if any value may be.
 std::vector<FormOption> OptionsOf(const edit::ParameterInfo& info, const edit::Session& session);
 
 // Those whose label contains what was typed, upper case as lower; all if nothing was.

@@ -47,7 +47,7 @@ std::vector<Finding> FindingsOf(Editor* editor) {
   return FindProblems(*editor->session().animation(), *motion.value(), KnownAnalyses(editor));
 }
 
-// Of a joint that takes a held object on a frame.
+// Two places on the frame on which a joint takes a held object.
 struct Taking {
   std::string joint;
   Vec3 object;  // where the object is until then [m]

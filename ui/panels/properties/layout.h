@@ -47,7 +47,7 @@ std::vector<std::string> NamesOf(const std::vector<JointRef>& joints);
 std::vector<std::string> WithSelected(const std::vector<std::string>& joints, const Figure& figure,
                                       const std::set<std::string>& selected);
 
-// Where a value at a frame comes from, as the colour of its field tells.
+// Source of a value at a frame, shown as the colour of its field.
 enum class FieldState {
   kPlain,         // nothing animates it
   kKeyed,         // a key on the frame

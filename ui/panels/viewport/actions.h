@@ -26,7 +26,7 @@ void SelectObject(Editor* editor, ItemId object);
 void SelectAdded(Editor* editor, const std::string& id);
 // Null if none is.
 const ProjectHeldObject* SelectedHeldObject(const Editor& editor);
-// Of either; empty if none is.
+// Returns the name of the selected object, of the scene or held; empty if none is selected.
 std::string NameOfSelectedObject(const Editor& editor);
 
 // For the list in commands/actions.cpp.

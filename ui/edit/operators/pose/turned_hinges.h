@@ -32,9 +32,9 @@ struct Limb {
 double TurnLimb(double angle, const Limb& limb, const std::vector<JointIndex>& hinges,
                 const Figure& figure, const DynamicsWorkspace& ws, VecX* q);
 
-// Where what lies between the limb's first joint and its end, such as a forearm, is inside of the
-// body that the limb hangs on, turns the limb out of it, by the least angle that does. If none does
-// it stays as it is. `X_WR`: the root in the world.
+// Turns a limb out of the body that it hangs on, by the least angle that does, if a part between
+// its first joint and its end, such as a forearm, is inside of that body. Leaves the limb as it is
+// if no angle does. `X_WR`: the root in the world.
 void TurnOutOfBody(const Limb& limb, const std::vector<JointIndex>& hinges, const Figure& figure,
                    const hazumi::Pose& X_WR, VecX* q);
 
