@@ -30,8 +30,10 @@ constexpr double kChatterWindow = 1.0 / 30.0;  // [s]
 
 // A point that rounding alone moves does not sink [m/s].
 constexpr double kNoSpeed = 1e-9;
-// A point that is less than this deeper, and does not sink, has not landed [m].
-constexpr double kHeld = 1e-9;
+// A point that touches but sinks no faster than kHeldSpeed [m/s] has not landed: a contact of a
+// region holds it, to the error of the solution. A figure that does fall is faster within 1e-7 s.
+// What is kHeld [m] deeper is looked at again, then what is twice as deep.
+constexpr double kHeldSpeed = 1e-6, kHeld = 1e-10;
 
 // Between t0, where `f` is at most zero, and t1, where it is positive: where it turns positive.
 template <typename Function>
@@ -222,24 +224,25 @@ std::optional<GravityEvent> ContinuousGravity::FindLanding(double t0, double t1,
   const Tolerances& tolerances = TolerancesOf(rules_);
   const double speed = SpeedBound(t0, t1, pose, ws);
   double t = t0, gap = -depth(t0);
+  double held = kHeld;
   bool is_leaving = true;
   while (t < t1) {
     const double least = is_leaving ? (t1 - t0) / 64.0 : 1e-6;
     const double next = std::min(t1, t + std::max(gap / speed, least));
-    double next_gap = -depth(next);
-    bool is_held = false;
+    const double next_gap = -depth(next);
     if (next_gap < -tolerances.depth) {
       const double touches = Root(t, -gap, next, -next_gap, tolerances.instant, depth);
-      const auto sinks = [&](double at) { return Rise(at, pose, ws) < -kNoSpeed; };
-      if (next_gap < -kHeld || !rules_.pins_what_would_sink || sinks(touches) || sinks(next)) {
+      if (!rules_.pins_what_would_sink || Rise(touches, pose, ws) < -kHeldSpeed) {
         return GravityEvent{GravityEvent::Kind::kLanding, touches};
       }
-      // Contacts of a region hold such points.
-      state_.allowed += next_gap;
-      next_gap = 0.0;
-      is_held = true;
+      state_.allowed -= held;
+      held *= 2.0;
+      t = touches;
+      gap = -depth(t);
+      is_leaving = true;
+      continue;
     }
-    is_leaving = is_held || next_gap > gap;
+    is_leaving = next_gap > gap;
     t = next;
     gap = next_gap;
     // Depth at take-off counts as ground until the figure has been outside. Version 1 of the solver

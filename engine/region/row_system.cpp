@@ -226,19 +226,19 @@ void RowSystem::AddForces(Kind kind, NodeKinematics* nodes) const {
   }
 }
 
-double RowSystem::ContactExcess(const ContactSet& contacts) const {
-  double pushes = 0.0, excess = 0.0;
+RowSystem::Excess RowSystem::ContactExcess(const ContactSet& contacts) const {
+  Excess excess;
   for (size_t k = 0; k < rows_.size(); ++k) {
     if (!rows_[k].is_contact()) continue;
     const double push = forces_[static_cast<Eigen::Index>(k)];
-    pushes += std::abs(push);
-    excess = std::max(excess, -push);
+    excess.pushes += std::abs(push);
+    excess.newtons = std::max(excess.newtons, -push);
     if (contacts.pairs()[rows_[k].contact].mode != ContactMode::kStick) continue;
     const double drag = forces_.segment<2>(static_cast<Eigen::Index>(k) + 1).norm();
-    excess = std::max(excess, drag - contacts.FrictionOf(rows_[k].contact) * push);
+    excess.newtons = std::max(excess.newtons, drag - contacts.FrictionOf(rows_[k].contact) * push);
     k += 2;
   }
-  return pushes > 0.0 ? excess / pushes : 0.0;
+  return excess;
 }
 
 std::vector<ContactPush> RowSystem::ContactPushes(const RegionMode& mode,

@@ -66,9 +66,13 @@ class RowSystem {
   const VecX& forces() const { return forces_; }
   enum class Kind { kAll, kConstraints, kContacts };
   void AddForces(Kind kind, NodeKinematics* nodes) const;
-  // How far forces of contacts are outside of their friction cones, relative to the sum of normal
-  // forces.
-  double ContactExcess(const ContactSet& contacts) const;
+  // How far a force of a contact is at most outside of its friction cone, and the sum of all normal
+  // forces [N].
+  struct Excess {
+    double newtons = 0.0, pushes = 0.0;
+    double share() const { return pushes > 0.0 ? newtons / pushes : 0.0; }
+  };
+  Excess ContactExcess(const ContactSet& contacts) const;
   // Contact forces of the latest Constrain, and those of time stepping.
   std::vector<ContactPush> ContactPushes(const RegionMode& mode, const RegionState& state) const;
   // Eigenvalues of the response of closed rows of constraints in the latest Constrain, smallest

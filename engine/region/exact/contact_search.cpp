@@ -39,10 +39,11 @@ bool ContactSearch::Find(bool follows_event) {
       std::max(contacts.FastestEnd(step_->Glance(end)), contacts.FastestEnd(step_->Glance(start)));
   contacts.FindPairs(step_->Glance(start), 2.0 * speed * h + kMargin);
   if (contacts.pairs().empty()) return false;
-  allowed_ = kForceSlack;
+  allowed_ = 0.0;
   if (follows_event && contacts.any_closed()) {
-    const double excess = step_->ContactExcess(start);
-    allowed_ = std::max(allowed_, std::min(kMore * excess, excess + kAtMostMore));
+    const RowSystem::Excess excess = step_->ContactExcess(start);
+    allowed_ = std::min(kMore * excess.share(), excess.share() + kAtMostMore);
+    pushes_at_start_ = excess.pushes;
   }
   // So often that nothing gets through a capsule's surface in between.
   const double way = 2.0 * speed * h / contacts.thinnest();
@@ -121,7 +122,7 @@ std::optional<double> ContactSearch::FirstChange(double before, double t, bool l
     found_stop_ = contacts.pairs()[changed.pair].mode == ContactMode::kSlide;
   }
   if ((!looks_at_forces && !first) || !contacts.any_closed()) return first;
-  const auto excess = [&](double at) { return step_->ContactExcess(at) - allowed_; };
+  const auto excess = [&](double at) { return Excess(at); };
   const double last = first.value_or(t), f = excess(last);
   if (f <= 0.0) {
     forces_before_ = last;
@@ -130,6 +131,16 @@ std::optional<double> ContactSearch::FirstChange(double before, double t, bool l
   const double first_f = std::min(excess(forces_before_), 0.0);
   found_stop_ = false;
   return Narrow({forces_before_, first_f, last, f}, kSameMoment, excess).b;
+}
+
+// Share of forces beyond what is allowed at t. What the event left was a share of the pushes then:
+// a lone push that is 0 but for rounding may pull by all of them.
+double ContactSearch::Excess(double t) {
+  const RowSystem::Excess now = step_->ContactExcess(t);
+  double allowed = allowed_;
+  const bool counts_force = dynamics_->mode().contacts.rules().opens_what_begins_to_pull;
+  if (counts_force && allowed > 0.0 && now.pushes > 0.0) allowed *= pushes_at_start_ / now.pushes;
+  return now.share() - std::max(kForceSlack, allowed);
 }
 
 // All pairs, where the nodes have been placed by Glance.

@@ -28,6 +28,7 @@ class ContactSearch {
 
  private:
   std::optional<double> FirstChange(double before, double t, bool looks_at_forces);
+  double Excess(double t);
   void See(double t);
   std::optional<double> Dip(int pair, double before, double t);
   double ChangeAround(int pair, double t);
@@ -47,8 +48,9 @@ class ContactSearch {
   std::vector<Changed> changed_;
   std::vector<Seen> seen_, before_;  // by pair, at the latest look and the one before
   std::vector<int> deep_;            // pairs
-  double allowed_ = 0.0;             // excess of forces
-  double forces_before_ = 0.0;       // when they were looked at last [s]
+  // Excess that the event before the step left, as a share of all pushes then [N].
+  double allowed_ = 0.0, pushes_at_start_ = 0.0;
+  double forces_before_ = 0.0;  // when they were looked at last [s]
   bool has_found_ = false, found_stop_ = false;
 };
 

@@ -274,7 +274,7 @@ RegionState ExactStep::Glance(double t) {
   return dynamics_->PlaceAt(t, y_.data());
 }
 
-double ExactStep::ContactExcess(double t) {
+RowSystem::Excess ExactStep::ContactExcess(double t) {
   EvaluateAt(t, Gaps::kLeft);
   return dynamics_->rows().ContactExcess(dynamics_->mode().contacts);
 }

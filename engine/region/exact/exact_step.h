@@ -74,7 +74,7 @@ class ExactStep {
   // Where nodes are at time(), with now().
   RegionState PlaceNow() { return dynamics_->PlaceHinges(time_, now_); }
   // Excess of contact forces over their friction cones (RowSystem).
-  double ContactExcess(double t);
+  RowSystem::Excess ContactExcess(double t);
   // Accelerations and forces at t in [start_time, time]; at `time` itself with now(), with which
   // the next step begins.
   InstantReport Report(double t);
