@@ -32,7 +32,7 @@ constexpr double kChatterWindow = 1.0 / 30.0;  // [s]
 constexpr double kNoSpeed = 1e-9;
 // A point that touches but sinks no faster than kHeldSpeed [m/s] has not landed: a contact of a
 // region holds it, to the error of the solution. A figure that does fall is faster within 1e-7 s.
-// What is kHeld [m] deeper is looked at again, then what is twice as deep.
+// The search goes on from there with a limit kHeld [m] deeper, lowered by twice as much each time.
 constexpr double kHeldSpeed = 1e-6, kHeld = 1e-10;
 
 // Between t0, where `f` is at most zero, and t1, where it is positive: where it turns positive.

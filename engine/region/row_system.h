@@ -66,7 +66,7 @@ class RowSystem {
   const VecX& forces() const { return forces_; }
   enum class Kind { kAll, kConstraints, kContacts };
   void AddForces(Kind kind, NodeKinematics* nodes) const;
-  // How far a force of a contact is at most outside of its friction cone, and the sum of all normal
+  // Largest part of a contact's force outside of its friction cone, and the sum of all normal
   // forces [N].
   struct Excess {
     double newtons = 0.0, pushes = 0.0;

@@ -122,7 +122,7 @@ std::optional<double> ContactSearch::FirstChange(double before, double t, bool l
     found_stop_ = contacts.pairs()[changed.pair].mode == ContactMode::kSlide;
   }
   if ((!looks_at_forces && !first) || !contacts.any_closed()) return first;
-  const auto excess = [&](double at) { return Excess(at); };
+  const auto excess = [this](double at) { return Excess(at); };
   const double last = first.value_or(t), f = excess(last);
   if (f <= 0.0) {
     forces_before_ = last;
