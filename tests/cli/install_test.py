@@ -111,7 +111,8 @@ class Installed(unittest.TestCase):
     @unittest.skipIf(IS_SANITIZED, "not here: sanitizers keep the names of source files")
     def test_nothing_says_where_it_was_built(self):
         for path in self.files():
-            data = path.read_bytes()
+            # clang's assertions, of debug builds, name a function of a lambda by where that stands.
+            data = path.read_bytes().replace(b"(lambda at " + os.fsencode(ROOT), b"")
             for place in (ROOT, BUILD, self.folder):
                 self.assertNotIn(os.fsencode(place), data, path)
 
