@@ -129,7 +129,9 @@ FigureSpec WithHingesApart(const FigureSpec& spec, double mass) {
         single.offset.setZero();
         single.orientation.setIdentity();
       }
-      if (!last) single.links = {{"", {}, {}, 0.0, mass, {}, {}, {}, {}, {}}};
+      LinkSpec link;
+      link.mass = mass;
+      if (!last) single.links = {link};
       apart.joints.push_back(single);
     }
   }
