@@ -47,7 +47,11 @@ RegionLayout::RegionLayout(const RegionModel& model, bool balls)
 }
 
 const HingeTriple* RegionLayout::triple(int node) const {
-  return nodes_[node].kind == NodeKind::kBall ? &triples_[triple_of_[node]] : nullptr;
+  return nodes_[node].kind == NodeKind::kBall ? unlocked_triple(node) : nullptr;
+}
+
+const HingeTriple* RegionLayout::unlocked_triple(int node) const {
+  return triple_of_[node] >= 0 ? &triples_[triple_of_[node]] : nullptr;
 }
 
 void RegionLayout::SetLocked(const std::vector<char>& locked, const VecX& angles) {

@@ -47,6 +47,8 @@ class RegionLayout {
   const std::vector<Node>& nodes() const { return nodes_; }
   // Null unless the node is a ball.
   const HingeTriple* triple(int node) const;
+  // Null unless the node would be a ball with nothing locked.
+  const HingeTriple* unlocked_triple(int node) const;
   int num_positions() const { return num_positions_; }
   int num_dofs() const { return num_dofs_; }
   bool is_any_locked() const { return num_dofs_ < num_hinges(); }

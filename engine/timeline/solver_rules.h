@@ -26,7 +26,8 @@ struct SolverRules {
         pins_what_would_sink(version >= 2),
         sweeps_large_islands(version >= 2),
         keeps_balls_apart(version >= 2),
-        opens_what_begins_to_pull(version >= 2) {}
+        opens_what_begins_to_pull(version >= 2),
+        looks_about_poles(version >= 2) {}
 
   // Velocity of a figure that contacts place is kept where a region begins. Before: its placement
   // pinned the contacts, which stopped the figure. [METHOD 12.9]
@@ -75,6 +76,9 @@ struct SolverRules {
   // A contact whose push is 0 after an event opens when it begins to pull. Before: it could pull
   // until the step ended. [METHOD 12.2]
   bool opens_what_begins_to_pull;
+  // Releases are located about the poles of a ball joint with a hinge at its limit. Before: a pull
+  // shorter than 1/16 of a step was missed. [METHOD 3.4]
+  bool looks_about_poles;
 
   bool operator==(const SolverRules&) const = default;
 };
@@ -83,12 +87,13 @@ inline auto MembersOf(const SolverRules& rules) {
                parts_what_is_tied, keeps_touching_links_apart, lifts_plates_at_all_angles,
                feels_what_is_deep, slides_straight_beyond_stop, rests_without_gravity,
                locates_landings_exactly, pins_what_would_sink, sweeps_large_islands,
-               keeps_balls_apart, opens_what_begins_to_pull] = rules;
+               keeps_balls_apart, opens_what_begins_to_pull, looks_about_poles] = rules;
   return std::tie(keeps_speed_of_what_touches, is_causal, releases_at_keyed_speed,
                   stands_on_springs, parts_what_is_tied, keeps_touching_links_apart,
                   lifts_plates_at_all_angles, feels_what_is_deep, slides_straight_beyond_stop,
                   rests_without_gravity, locates_landings_exactly, pins_what_would_sink,
-                  sweeps_large_islands, keeps_balls_apart, opens_what_begins_to_pull);
+                  sweeps_large_islands, keeps_balls_apart, opens_what_begins_to_pull,
+                  looks_about_poles);
 }
 
 }  // namespace hazumi

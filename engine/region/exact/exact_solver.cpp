@@ -21,7 +21,7 @@ ExactSolver::ExactSolver(RegionDynamics* dynamics, VecX lower, VecX upper)
       step_(dynamics, &range_),
       held_(dynamics, &range_),
       hit_search_(dynamics, &range_, &step_),
-      release_search_(&step_, &held_),
+      release_search_(dynamics, &step_, &held_),
       contact_search_(dynamics, &step_),
       kink_search_(dynamics, &step_),
       time_stepping_(dynamics, &range_),

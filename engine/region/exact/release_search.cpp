@@ -3,10 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/root.h"
+
 namespace hazumi {
 
-ReleaseSearch::ReleaseSearch(ExactStep* step, ActiveLimits* limits)
-    : step_(step), limits_(limits), sample_(step->now()), later_{0.0, step->now()} {}
+ReleaseSearch::ReleaseSearch(const RegionDynamics* dynamics, ExactStep* step, ActiveLimits* limits)
+    : dynamics_(dynamics),
+      step_(step),
+      limits_(limits),
+      sample_(step->now()),
+      later_{0.0, step->now()} {
+  poles_.reserve(dynamics->layout().nodes().size());
+}
 
 void ReleaseSearch::Begin() {
   has_later_ = false;
@@ -29,7 +37,7 @@ bool ReleaseSearch::Find() {
   const double a = step_->start_time(), b = step_->time();
   const double fa = std::min(pull_before_, 0.0), fb = Pull(b);
   pull_before_ = fb;
-  const std::optional<double> t = FindPull(a, fa, b, fb, 4);
+  const std::optional<double> t = FirstPull(a, fa, b, fb);
   if (!t) return false;
   if (limits_->needs_later()) LookLater(*t);
   step_->EndAt(*t);
@@ -39,6 +47,57 @@ bool ReleaseSearch::Find() {
 void ReleaseSearch::Cut() {
   has_later_ = false;
   pull_before_ = Pull(step_->time());
+}
+
+// About a pole the pull of an outer hinge changes the faster the nearer it is: looks crowd there.
+std::optional<double> ReleaseSearch::FirstPull(double a, double fa, double b, double fb) {
+  constexpr double kNearer = 0.25, kNearest = 1e-8;  // share of the way to the next look; [s]
+  const auto find_until = [&](double t) {
+    const double f = Pull(t);
+    const std::optional<double> pull = FindPull(a, fa, t, f, 2);
+    a = t;
+    fa = f;
+    return pull;
+  };
+  for (const double pole : FindPoles()) {
+    for (double d = kNearer * (pole - a); d > kNearest; d *= kNearer) {
+      if (const auto pull = find_until(pole - d)) return pull;
+    }
+    if (pole + kNearest <= a || pole + kNearest >= b) continue;
+    a = pole + kNearest;  // at the pole itself the pull is not defined
+    fa = Pull(a);
+    if (fa > 0.0) return a;
+    for (double d = kNearest / kNearer; d < b - pole; d /= kNearer) {
+      if (const auto pull = find_until(pole + d)) return pull;
+    }
+  }
+  return FindPull(a, fa, b, fb, 4);
+}
+
+// Times in the step at which a ball joint with an outer hinge at its limit is nearest to a pole
+// [s].
+const std::vector<double>& ReleaseSearch::FindPoles() {
+  poles_.clear();
+  if (!dynamics_->mode().contacts.rules().looks_about_poles) return poles_;
+  const RegionLayout& layout = dynamics_->layout();
+  for (int node = 0; node < static_cast<int>(layout.nodes().size()); ++node) {
+    const RegionLayout::Node& joint = layout.node(node);
+    const HingeTriple* const ball = layout.unlocked_triple(node);
+    if (!ball || joint.locked[1] || !(joint.locked[0] || joint.locked[2])) continue;
+    const auto recedes = [&](const HingeState& at) {
+      return -ball->Approach(at.q.segment<3>(joint.first_hinge),
+                             at.qd.segment<3>(joint.first_hinge));
+    };
+    const Bracket ends = {step_->start_time(), recedes(step_->start()), step_->time(),
+                          recedes(step_->now())};
+    if (ends.fa >= 0.0 || ends.fb <= 0.0) continue;
+    poles_.push_back(Narrow(ends, kSameTime, [&](double t) {
+                       step_->Sample(t, &sample_);
+                       return recedes(sample_);
+                     }).a);
+  }
+  std::sort(poles_.begin(), poles_.end());
+  return poles_;
 }
 
 // The first time between a and b at which a limit would have to pull: looked for in the middle, at
