@@ -264,6 +264,24 @@ TEST(WorkingRegion, GoesOnBeyondAPole) {
   trials.Expect();
 }
 
+// Found among a thousand: an outer hinge of a ball joint lets go of its limit half a millisecond
+// before the joint passes a pole. Steps that missed it were off by 39 degrees, and said nothing.
+TEST(WorkingRegion, LetsGoNextToAPole) {
+  Trials trials;
+  trials.Add(940000431);
+  trials.Expect();
+}
+
+// Found among a thousand: finer steps do not help, or only show that what stays of the coarser ones
+// was off by more than they estimated.
+TEST(WorkingRegion, SaysWhereAnEstimateWasTooSmall) {
+  for (const int seed : {940000153, 940000439}) {
+    const Trial trial = Try(RandomWorkingRegion(seed).animation);
+    EXPECT_GT(trial.error, kTolerance) << "seed " << seed;
+    EXPECT_TRUE(trial.is_reported) << "seed " << seed;
+  }
+}
+
 // Found among a thousand: constraints and contacts that have no hold but for rounding, as limits
 // hold the joints that they could move.
 TEST(WorkingRegion, GoesOnWhereConstraintsAndContactsHaveNoHold) {

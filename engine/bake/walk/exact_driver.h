@@ -73,6 +73,12 @@ class ExactDriver {
   // solved along.
   std::optional<Vec3> Accelerations(double t, VecX* rates, VecX* accelerations);
 
+  // All angles at a time that can be sampled, by Coordinate [rad]; 0 for those that are not free.
+  VecX AnglesAt(double t);
+  // How far two such are apart, by active region: the largest distance of a joint [rad], as in
+  // estimates.
+  std::vector<double> Distances(const VecX& angles, const VecX& others) const;
+
   // Adds up energies and work to t, which all islands have reached; an account is kept from the
   // first call on. `is_cut`: the driver begins anew at t.
   void Account(double t, bool is_cut);

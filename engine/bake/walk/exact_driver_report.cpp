@@ -70,6 +70,26 @@ void ExactDriver::Estimate(double t) {
   estimates_.Add(t, errors);
 }
 
+VecX ExactDriver::AnglesAt(double t) {
+  const int n = regions_.num_coordinates();
+  RotationState state{VecX::Zero(n), VecX::Zero(n), {}};
+  Sample(t, &state);
+  return state.q;
+}
+
+std::vector<double> ExactDriver::Distances(const VecX& angles, const VecX& others) const {
+  const RotationState here{angles, {}, {}}, there{others, {}, {}};
+  std::vector<double> distances(regions_.size(), 0.0);
+  for (const Island& island : islands_) {
+    const VecX of_hinges = island.solution.Distances(here, there);
+    for (Eigen::Index i = 0; i < of_hinges.size(); ++i) {
+      double& distance = distances[regions_.PlaceOf(island.solution.hinges()[i])];
+      distance = std::max(distance, of_hinges[i]);
+    }
+  }
+  return distances;
+}
+
 std::vector<ExactDriver::SpentSpring> ExactDriver::SpentSprings(double t) {
   std::vector<SpentSpring> all;
   if (!regions_.has_drives()) return all;

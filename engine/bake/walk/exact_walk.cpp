@@ -123,6 +123,11 @@ std::optional<Error> ExactWalk::EstimateAt(int frame) {
   for (size_t a = 0; a < active.size(); ++a) {
     refinements_.Note(active[a], frame, driver_->estimates().LargestOf(a), active);
   }
+  const VecX angles = driver_->AnglesAt(context_.Seconds(frame));
+  if (const VecX* kept = refinements_.KeepAngles(frame, angles)) {
+    const std::vector<double> distances = driver_->Distances(angles, *kept);
+    for (size_t a = 0; a < active.size(); ++a) refinements_.NoteKept(active[a], distances[a]);
+  }
   if (!refinements_.is_no_help()) return std::nullopt;
   return Error{ErrorCode::kInterrupted, "", "", "finer steps do not help"};
 }

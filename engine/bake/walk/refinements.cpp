@@ -3,7 +3,8 @@
 // the tolerance (a miss), and that of S_(i+1) from there on, or of S_(i+2) if that does not help. A
 // refinement has to reduce the estimate at that frame to 0.3 of its value: the error is at times a
 // few times the estimate, and some motions are so sensitive that no step size predicts their end.
-// No frame depends on later frames. [METHOD 8.2, 8.3]
+// No frame depends on later frames; but S_(i+1) may show that S_i was farther off before the miss
+// than it estimated, which is the estimate then. [METHOD 8.2, 8.3]
 // Version 1 of the solver solves the whole stretch again. Its steps are finer by three times the
 // factor by which the end misses the tolerance.
 
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "engine/base/text.h"
 #include "engine/spatial/degrees.h"
@@ -21,11 +23,15 @@ namespace {
 
 constexpr double kFinest = 1e6, kSafely = 0.2, kHelps = 0.3, kFiner = 30.0;
 constexpr int kMostTries = 2;
-// Factor of the estimate if finer steps do not help: the whole distance from the control solution,
-// in place of a fifth, since the solution need not be the better of the two.
-constexpr double kSensitive = 5.0;
+constexpr size_t kMostKept = 300;  // frames
+// Factor of the estimate if finer steps do not help: four times the distance from the control
+// solution, in place of a fifth of it, since neither solution need be near. It is more than the
+// tolerance then, which a warning says.
+constexpr double kSensitive = 20.0;
+static_assert(kSensitive * kSafely > 1.0);
 
 constexpr const char* kIsSensitive = "the motion is so sensitive that finer steps do not help";
+constexpr const char* kWasMissed = "finer steps, which later frames needed, tell so";
 constexpr const char* kFailsFiner = "finer steps cannot be solved, or take too much work";
 
 void WarnOfError(int region, double estimate, const char* why, Recorder* recorder) {
@@ -40,6 +46,27 @@ double Refinements::SharpnessOf(const std::vector<int>& regions) const {
   double sharpness = 1.0;
   for (const int r : regions) sharpness = std::max(sharpness, of_region_[r].sharpness);
   return sharpness;
+}
+
+void Refinements::Reset() {
+  of_region_.assign(animation_.regions.size(), Refinement());
+  angles_.clear();
+  first_miss_.reset();
+}
+
+const VecX* Refinements::KeepAngles(int frame, VecX angles) {
+  if (first_miss_ && frame < *first_miss_) {
+    const auto kept = angles_.find(frame);
+    return kept == angles_.end() ? nullptr : &kept->second;
+  }
+  angles_[frame] = std::move(angles);
+  if (angles_.size() > kMostKept) angles_.erase(angles_.begin());
+  return nullptr;
+}
+
+void Refinements::NoteKept(int region, double distance) {
+  double& largest = of_region_[region].kept_distance;
+  largest = std::max(largest, distance);
 }
 
 size_t Refinements::IndexOf(int region, int frame) const {
@@ -75,6 +102,7 @@ void Refinements::GiveUp() {
     kept.is_settled |= kept.has_failed || kept.tries == kMostTries;
   }
   of_region_ = before_;
+  angles_ = angles_before_;
   is_no_help_ = false;
 }
 
@@ -108,6 +136,8 @@ std::optional<int> Refinements::SharpenFromFirstMiss(const std::vector<int>& reg
     if (miss && !own.is_settled && (!first || *miss < *first)) first = miss;
   }
   before_ = of_region_;
+  angles_before_ = angles_;
+  first_miss_ = first;
   for (const int r : regions) {
     Refinement& own = of_region_[r];
     const bool asks = first && !own.is_settled && FirstMiss(r) == first;
@@ -129,8 +159,11 @@ void Refinements::Report(const std::vector<int>& regions, Recorder* recorder) co
     const Refinement& own = of_region_[r];
     report.error_estimate = std::max(report.error_estimate, own.kept_estimate);
     if (own.tries == kMostTries && !own.has_failed) report.error_estimate *= kSensitive;
+    const bool is_of_kept = own.kept_distance > report.error_estimate;
+    report.error_estimate = std::max(report.error_estimate, own.kept_distance);
     if (report.error_estimate <= report.tolerance) continue;
-    WarnOfError(r, report.error_estimate, own.has_failed ? kFailsFiner : kIsSensitive, recorder);
+    const char* const why = is_of_kept ? kWasMissed : own.has_failed ? kFailsFiner : kIsSensitive;
+    WarnOfError(r, report.error_estimate, why, recorder);
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -15,13 +16,18 @@ class Refinements {
       : animation_(animation), of_region_(animation.regions.size()) {}
 
   // Begins a new stretch.
-  void Reset() { of_region_.assign(animation_.regions.size(), Refinement()); }
+  void Reset();
   // The largest of some regions, which divides the tolerances of their steps.
   double SharpnessOf(const std::vector<int>& regions) const;
 
   // Notes the largest estimate [rad] of a region's error up to a whole frame, solved along with
   // `regions`.
   void Note(int region, int frame, double estimate, const std::vector<int>& regions);
+  // Notes all angles at a whole frame, by Coordinate. A frame before the latest miss keeps those of
+  // an earlier solution, which are returned. Null for other frames.
+  const VecX* KeepAngles(int frame, VecX angles);
+  // Notes how far the finer solution is from the angles that a frame keeps [rad].
+  void NoteKept(int region, double distance);
   // Requests finer steps in the regions that miss their tolerance first, among those that began in
   // the stretch. Returns the frame of that miss; earlier frames keep their values. Returns nullopt
   // if no region has to be solved again.
@@ -48,10 +54,11 @@ class Refinements {
     // the frames that it keeps.
     std::optional<int> missed_at;
     double missed_by = 0.0, kept_estimate = 0.0;
-    int tries = 0;            // number of finer solutions that did not help at missed_at
-    bool is_no_help = false;  // the present one does not
-    bool is_settled = false;  // no finer steps are requested
-    bool has_failed = false;  // because a finer solution failed
+    double kept_distance = 0.0;  // largest distance of frames that it keeps from finer solutions
+    int tries = 0;               // number of finer solutions that did not help at missed_at
+    bool is_no_help = false;     // the present one does not
+    bool is_settled = false;     // no finer steps are requested
+    bool has_failed = false;     // because a finer solution failed
   };
   size_t IndexOf(int region, int frame) const;  // of estimates
   double SafeFor(int region) const;
@@ -61,6 +68,9 @@ class Refinements {
 
   const Animation& animation_;
   std::vector<Refinement> of_region_, before_;  // now, and before the last request
+  // By whole frame, likewise; of the latest ones alone.
+  std::map<int, VecX> angles_, angles_before_;
+  std::optional<int> first_miss_;  // that the last request was for
   bool is_no_help_ = false;
 };
 
