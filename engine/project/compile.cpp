@@ -269,19 +269,8 @@ class Compiler {
   }
 
   OuterForce ToForce(const ProjectForce& source) const {
-    OuterForce force{source.name, {}, source.first_frame, source.last_frame};
-    const ForcePoint at = {GroupOf(source.joint), source.offset_m};
-    switch (source.kind) {
-      case ForceKind::kWind:
-        force.action = WindForce{source.velocity_m_s, source.density_kg_m3};
-        break;
-      case ForceKind::kAttract:
-        force.action = AttractForce{at, source.to_m, source.force_n, source.radius_m};
-        break;
-      case ForceKind::kPush:
-        force.action = PushForce{at, source.impulse_n_s};
-        break;
-    }
+    OuterForce force{source.name, source.action, source.first_frame, source.last_frame};
+    if (ForcePoint* point = ForcePointOf(&force.action)) point->joint = GroupOf(source.joint);
     if (IsOneFrame(source)) force.last_frame = source.first_frame + 1;
     return force;
   }

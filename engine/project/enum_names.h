@@ -3,8 +3,11 @@
 // Internal. The words that files use for enumerators. Those that the timeline names itself are its
 // own; a new enumerator needs a line here all the same, so that files can say it.
 
+#include <array>
+#include <cstddef>
 #include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "engine/figure/figure_spec.h"
@@ -24,6 +27,17 @@ struct EnumName {
   Enum value;
   const char* name;
 };
+
+// Of one whose enumerators, up to the last, have names of their own.
+template <auto kLast>
+constexpr auto NamesUpTo() {
+  using Enum = decltype(kLast);
+  std::array<EnumName<Enum>, static_cast<size_t>(kLast) + 1> names = {};
+  for (size_t i = 0; i < names.size(); ++i) {
+    names[i] = {static_cast<Enum>(i), NameOf(static_cast<Enum>(i))};
+  }
+  return names;
+}
 
 // What the enumeration is called in messages, and its words in the order in which they are offered.
 template <typename Enum>
@@ -112,10 +126,8 @@ struct EnumNames<HoldReach> {
 template <>
 struct EnumNames<ForceKind> {
   static constexpr const char* kWhat = "force kind";
-  static constexpr EnumName<ForceKind> kNames[] = {
-      {ForceKind::kWind, NameOf(ForceKind::kWind)},
-      {ForceKind::kAttract, NameOf(ForceKind::kAttract)},
-      {ForceKind::kPush, NameOf(ForceKind::kPush)}};
+  static constexpr auto kNames =
+      NamesUpTo<static_cast<ForceKind>(std::variant_size_v<ForceAction> - 1)>();
 };
 
 template <>
@@ -161,19 +173,31 @@ template <typename Enum>
 concept FileEnum = requires {
   EnumNames<Enum>::kNames;
 };
-// An item whose kind decides which fields it has.
+// An item whose kind decides which fields it has: a member, or what it says and can become.
 template <typename T>
-concept HasKind = requires(T item) {
+concept HasKindMember = requires(T item) {
   EnumNames<decltype(item.kind)>::kNames;
 };
+template <typename T>
+concept BecomesKind = requires(T item) {
+  EnumNames<decltype(item.kind())>::kNames;
+  item.Become(item.kind());
+};
+template <typename T>
+concept HasKind = HasKindMember<T> || BecomesKind<T>;
 
 // An item of each kind, if there are kinds.
 template <typename T, typename Action>
 void ForEachKind(Action action) {
   T item;
-  if constexpr (HasKind<T>) {
+  if constexpr (HasKindMember<T>) {
     for (const auto& kind : EnumNames<decltype(item.kind)>::kNames) {
       item.kind = kind.value;
+      action(item, kind.name);
+    }
+  } else if constexpr (BecomesKind<T>) {
+    for (const auto& kind : EnumNames<decltype(item.kind())>::kNames) {
+      item.Become(kind.value);
       action(item, kind.name);
     }
   } else {

@@ -36,9 +36,6 @@ struct ProjectFrames {
 inline constexpr double kDefaultStep = 1.0 / 30.0;  // [s]
 inline constexpr double kDefaultToleranceDeg = 0.01;
 
-// At sea level and 15 degrees [kg/m^3].
-inline constexpr double kDensityOfAir = 1.225;
-
 // Both numbers are kept whatever the method, so that trying the other one loses nothing.
 struct ProjectSolver {
   Method method = Method::kExact;
@@ -148,21 +145,27 @@ struct ProjectHold {
   bool operator==(const ProjectHold&) const = default;
 };
 
-// What acts from outside. Each kind has members of its own; the others are kept as they were.
+// What acts from outside.
 struct ProjectForce {
   std::string name;
-  ForceKind kind = ForceKind::kWind;
-  Vec3 velocity_m_s = Vec3::Zero();      // kWind
-  double density_kg_m3 = kDensityOfAir;  // kWind
-  std::string joint;                     // kAttract, kPush
-  Vec3 offset_m = Vec3::Zero();          // kAttract, kPush: in the joint's frame
-  Vec3 to_m = Vec3::Zero();              // kAttract
-  double force_n = 0.0;                  // kAttract
-  double radius_m = 1.0;                 // kAttract
-  Vec3 impulse_n_s = Vec3::Zero();       // kPush
-  int first_frame = 0, last_frame = 0;   // half open; of a push the first one alone counts
+  ForceAction action = NewAction(ForceKind::kWind);
+  std::string joint;                    // of an action at a point, which names none itself
+  int first_frame = 0, last_frame = 0;  // half open; of a push the first one alone counts
   ExtraFields extra;
   Identity identity = {};
+
+  ForceKind kind() const { return KindOf(action); }
+  // A new one of that kind, but for what both kinds have.
+  void Become(ForceKind other) {
+    if (other == kind()) return;
+    const ForcePoint* const before = ForcePointOf(action);
+    const Vec3 offset = before ? before->offset : Vec3::Zero();
+    action = NewAction(other);
+    ForcePoint* const point = ForcePointOf(&action);
+    if (point) point->offset = offset;
+    if (!point) joint.clear();
+    if (other == ForceKind::kPush) last_frame = 0;
+  }
   bool operator==(const ProjectForce&) const = default;
 };
 

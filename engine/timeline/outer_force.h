@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <variant>
@@ -9,26 +11,11 @@
 
 namespace hazumi {
 
-enum class ForceKind { kWind, kAttract, kPush };
-constexpr const char* NameOf(ForceKind kind) {
-  switch (kind) {
-    case ForceKind::kWind:
-      return "wind";
-    case ForceKind::kAttract:
-      return "attract";
-    case ForceKind::kPush:
-      return "push";
-  }
-  return "";
-}
-// Returns whether a force acts at a point of one body (ForcePoint). Others act on all bodies.
-constexpr bool ActsAtPoint(ForceKind kind) {
-  return kind == ForceKind::kAttract || kind == ForceKind::kPush;
-}
+// At sea level and 15 degrees [kg/m^3].
+inline constexpr double kDensityOfAir = 1.225;
 
 // Air everywhere, which moves as a whole.
 struct WindForce {
-  static constexpr ForceKind kKind = ForceKind::kWind;
   Vec3 velocity = Vec3::Zero();  // [m/s], world axes
   double density = 0.0;          // [kg/m^3]
   bool operator==(const WindForce&) const = default;
@@ -43,7 +30,6 @@ struct ForcePoint {
 
 // A pull towards a place: force min(distance / radius, 1).
 struct AttractForce {
-  static constexpr ForceKind kKind = ForceKind::kAttract;
   ForcePoint at;
   Vec3 to = Vec3::Zero();  // [m], world
   double force = 0.0;      // [N]
@@ -53,22 +39,52 @@ struct AttractForce {
 
 // An impulse at the instant of the first frame.
 struct PushForce {
-  static constexpr ForceKind kKind = ForceKind::kPush;
   ForcePoint at;
   Vec3 impulse = Vec3::Zero();  // [N s], world axes
   bool operator==(const PushForce&) const = default;
 };
 
+// What a force does, by its kind.
+using ForceAction = std::variant<WindForce, AttractForce, PushForce>;
+enum class ForceKind { kWind, kAttract, kPush };
+inline constexpr std::array kForceKinds = {"wind", "attract", "push"};
+static_assert(kForceKinds.size() == std::variant_size_v<ForceAction>);
+
+constexpr const char* NameOf(ForceKind kind) { return kForceKinds[static_cast<size_t>(kind)]; }
+constexpr ForceKind KindOf(const ForceAction& action) {
+  return static_cast<ForceKind>(action.index());
+}
+
+// Returns the action of a new force: a breeze; a pull to a place one metre ahead; a push from
+// behind.
+inline ForceAction NewAction(ForceKind kind) {
+  const std::array<ForceAction, kForceKinds.size()> all = {
+      WindForce{Vec3(3.0, 0.0, 0.0), kDensityOfAir},
+      AttractForce{{}, Vec3(1.0, 0.0, 1.0), 40.0, 0.5}, PushForce{{}, Vec3(5.0, 0.0, 0.0)}};
+  return all[static_cast<size_t>(kind)];
+}
+
+// Returns where a force acts that acts at a point of one body. Null: it acts on all bodies.
+inline ForcePoint* ForcePointOf(ForceAction* action) {
+  return std::visit(
+      [](auto& of_a_kind) -> ForcePoint* {
+        if constexpr (requires { of_a_kind.at; }) return &of_a_kind.at;
+        return nullptr;
+      },
+      *action);
+}
+inline const ForcePoint* ForcePointOf(const ForceAction& action) {
+  return ForcePointOf(const_cast<ForceAction*>(&action));
+}
+
 // What acts on the figure's links from outside, while regions of method exact move them.
 struct OuterForce {
   std::string name;
-  std::variant<WindForce, AttractForce, PushForce> action;
+  ForceAction action;
   // Half open; of a push its frame and the next one.
   int first_frame = 0, last_frame = 0;
 
-  ForceKind kind() const {
-    return std::visit([](const auto& of_a_kind) { return of_a_kind.kKind; }, action);
-  }
+  ForceKind kind() const { return KindOf(action); }
   bool operator==(const OuterForce&) const = default;
 };
 

@@ -10,16 +10,9 @@ namespace hazumi {
 
 namespace {
 
-// The point where a force acts; null: it acts on every link.
-const ForcePoint* PointOf(const OuterForce& force) {
-  if (const auto* attract = std::get_if<AttractForce>(&force.action)) return &attract->at;
-  if (const auto* push = std::get_if<PushForce>(&force.action)) return &push->at;
-  return nullptr;
-}
-
 // Whether a region may move what a force acts on.
 bool MayMove(const DynamicsRegion& region, const OuterForce& force, const Animation& animation) {
-  if (const ForcePoint* point = PointOf(force)) {
+  if (const ForcePoint* point = ForcePointOf(force.action)) {
     return MayMove(region, point->joint, SpanOf(force), animation);
   }
   return !region.moves_nothing() && !Common(SpanOf(region), SpanOf(force)).is_empty();
@@ -81,8 +74,8 @@ void CheckForces(const Animation& animation, FirstError* errors) {
     CheckWind(i, animation, errors);
     if (force.kind() != ForceKind::kPush || IsFelt(force, animation)) continue;
     errors->Report(Check::kPushFeltByNone, At("forces", i),
-                   {NameOfPoint(*PointOf(force), *animation.figure), Text(force.first_frame),
-                    Quoted(force.name)});
+                   {NameOfPoint(*ForcePointOf(force.action), *animation.figure),
+                    Text(force.first_frame), Quoted(force.name)});
   }
 }
 
@@ -90,7 +83,7 @@ void WarnAboutForces(const Animation& animation, std::vector<Warning>* warnings)
   for (size_t i = 0; i < animation.forces.size(); ++i) {
     const OuterForce& force = animation.forces[i];
     if (IsFelt(force, animation)) continue;
-    const ForcePoint* point = PointOf(force);
+    const ForcePoint* point = ForcePointOf(force.action);
     const std::string what = point ? NameOfPoint(*point, *animation.figure) : "anything";
     warnings->push_back(
         {At("forces", i),

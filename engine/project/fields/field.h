@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string>
 
@@ -100,6 +101,10 @@ struct StructInfo {
 };
 template <typename T>
 inline constexpr StructInfo kStructInfo = {"", ""};
+
+// What makes a new item is called, by its kind; of items without kinds, as its operator.
+template <typename Item>
+inline constexpr std::array<const char*, 0> kAddLabels = {};
 
 template <typename Archive, typename T>
 using Ref = typename Archive::template RefTo<T>;

@@ -6,7 +6,9 @@
 
 namespace hazumi {
 
+class Attraction;
 struct AttractionSpec {
+  using Law = Attraction;
   static constexpr bool kIsOuter = true;  // as its law says
   int node = 0;                           // that it acts on
   Vec3 point = Vec3::Zero();              // in the node's frame [m]

@@ -7,7 +7,9 @@
 
 namespace hazumi {
 
+class Retention;
 struct RetentionSpec {
+  using Law = Retention;
   static constexpr bool kIsOuter = false;  // as its law says
   VecX rates;  // by free hinge [1/s]: a hinge left to itself slows down as e^(-rate t)
 };

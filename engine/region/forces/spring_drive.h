@@ -73,7 +73,9 @@ double ExcessOf(const Spring& spring, const SpringNow& now, const Vec3& pull);
 Vec3 MomentOf(const Spring& spring, const SpringNow& now, const Mat3& E, const Vec3& w,
               const Vec3& ahead);
 
+class SpringDrive;
 struct SpringSpec {
+  using Law = SpringDrive;
   static constexpr bool kIsOuter = false;
   std::vector<Spring> springs;  // by free hinge; that of a ball joint is its first hinge's
 };

@@ -8,7 +8,9 @@
 
 namespace hazumi {
 
+class TorqueDrive;
 struct TorqueSpec {
+  using Law = TorqueDrive;
   static constexpr bool kIsOuter = false;
   std::vector<char> is_driven;  // by free hinge
 };

@@ -29,7 +29,9 @@ inline auto MembersOf(const AirSurface& on) {
   return std::tie(node, surface);
 }
 
+class Wind;
 struct WindSpec {
+  using Law = Wind;
   static constexpr bool kIsOuter = true;  // as its law says
   Vec3 velocity = Vec3::Zero();           // of the air, in the world [m/s]
   double density = 0.0;                   // [kg/m^3]

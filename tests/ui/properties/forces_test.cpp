@@ -25,9 +25,9 @@ class Forces : public testing::Test {
     const ui::Rect window = {0.0f, 0.0f, kWidth, kHeight};
     return ui::LayOutWindow(window, user.editor().settings.shares, 1.0).properties;
   }
-  const ProjectForce* Wind() {
+  const WindForce* Wind() {
     for (const ProjectForce& force : forces()) {
-      if (force.kind == ForceKind::kWind) return &force;
+      if (const auto* wind = std::get_if<WindForce>(&force.action)) return wind;
     }
     return nullptr;
   }
@@ -64,15 +64,15 @@ TEST_F(Forces, WindIsAddedChangedRemovedAndAllOfItIsUndone) {
   ASSERT_TRUE(Try(0.2f, 0.0f, 1, [&] { return Wind() != nullptr; }));
   EXPECT_EQ(user.num_steps(), steps + 1);
   // It is open: its velocity is dragged.
-  const Vec3 velocity = Wind()->velocity_m_s;
+  const Vec3 velocity = Wind()->velocity;
   user.Wait();
-  ASSERT_TRUE(Try(0.7f, 40.0f, 4, [&] { return Wind() && Wind()->velocity_m_s != velocity; }));
+  ASSERT_TRUE(Try(0.7f, 40.0f, 4, [&] { return Wind() && Wind()->velocity != velocity; }));
   EXPECT_EQ(user.num_steps(), steps + 2);
-  const Vec3 faster = Wind()->velocity_m_s;
+  const Vec3 faster = Wind()->velocity;
   user.editor().Do("edit.undo");
-  EXPECT_EQ(Wind()->velocity_m_s, velocity);
+  EXPECT_EQ(Wind()->velocity, velocity);
   user.editor().Do("edit.redo");
-  EXPECT_EQ(Wind()->velocity_m_s, faster);
+  EXPECT_EQ(Wind()->velocity, faster);
   user.Wait();
   ASSERT_TRUE(Try(0.5f, 0.0f, 9, [&] { return forces().empty(); }));
   while (user.text() != before && user.editor().Do("edit.undo")) continue;

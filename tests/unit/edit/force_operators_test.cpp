@@ -10,9 +10,13 @@ using edit::Session;
 std::string ForcesOf(const Session& session) {
   std::string text;
   for (const ProjectForce& force : session.project().forces) {
-    text += (text.empty() ? "" : " ") + force.name + ":" + NameOf(force.kind);
+    text += (text.empty() ? "" : " ") + force.name + ":" + NameOf(force.kind());
   }
   return text;
+}
+
+const AttractForce& PullOf(const Session& session) {
+  return std::get<AttractForce>(session.project().forces[0].action);
 }
 
 // With a region that moves the right arm.
@@ -25,7 +29,7 @@ TEST(ForceOperators, EachKindBeginsWithSomethingThatIsFelt) {
   AddSwing(&session);
   Do(&session, "time.frame", {{"frame", 12}});
   Do(&session, "select.joints", {{"joints", {"r_elbow"}}});
-  for (const char* kind : {"wind", "attract", "push"}) Do(&session, "force.add", {{"kind", kind}});
+  for (const char* kind : kForceKinds) Do(&session, "force.add", {{"kind", kind}});
   EXPECT_EQ(ForcesOf(session), "wind:wind attract:attract push:push");
   const std::vector<ProjectForce>& forces = session.project().forces;
   EXPECT_EQ(forces[0].last_frame, session.project().frames.last);
@@ -43,22 +47,22 @@ TEST(ForceOperators, AreUndoneAndNamedOnce) {
   for (const double pull : {10.0, 20.0}) {
     Do(&session, "force.set", {{"force", "attract"}, {"pull", pull}, {"drag", "1"}});
   }
-  EXPECT_EQ(session.project().forces[0].force_n, 20.0);
+  EXPECT_EQ(PullOf(session).force, 20.0);
   Do(&session, "force.set", {{"force", "attract"}, {"name", "magnet"}});
   Do(&session, "force.remove", {{"force", "attract 2"}});
   EXPECT_EQ(ForcesOf(session), "magnet:attract");
   for (int i = 0; i < 2; ++i) Do(&session, "edit.undo");
   EXPECT_EQ(ForcesOf(session), "attract:attract attract 2:attract");
   Do(&session, "edit.undo");
-  EXPECT_EQ(session.project().forces[0].force_n, 40.0);
-  EXPECT_EQ(session.project().forces[0].to_m.x(), 0.5);
+  EXPECT_EQ(PullOf(session).force, 40.0);
+  EXPECT_EQ(PullOf(session).to.x(), 0.5);
 }
 
 // A changed kind starts from values that the file says: the reopened project becomes the same.
 TEST(ForceOperators, AnotherKindIsTheSameAfterOpeningAgain) {
   const TemporaryFolder folder;
-  for (const char* from : {"wind", "attract", "push"}) {
-    for (const char* to : {"wind", "attract", "push"}) {
+  for (const char* from : kForceKinds) {
+    for (const char* to : kForceKinds) {
       Session session, again;
       AddSwing(&session);
       Do(&session, "select.joints", {{"joints", {"r_wrist"}}});
@@ -70,7 +74,7 @@ TEST(ForceOperators, AnotherKindIsTheSameAfterOpeningAgain) {
       const std::string name = session.project().forces[0].name;
       for (Session* each : {&session, &again})
         Do(each, "force.set", {{"force", name}, {"kind", to}, {"first", 2}});
-      EXPECT_TRUE(WriteProject(again.project()) == WriteProject(session.project()))
+      EXPECT_EQ(WriteProject(again.project()), WriteProject(session.project()))
           << from << " to " << to;
     }
   }

@@ -61,25 +61,22 @@ ProjectSceneObject ObjectOf(Shape shape) {
   return object;
 }
 
+template <typename Item>
+void ExpectAllKindsAreSet(const char* what) {
+  ForEachKind<Item>([&](Item item, const char*) {
+    for (const ParameterInfo& info : edit::FieldsOf(item)) {
+      if (std::string(info.name) != "kind") ExpectIsSet(info, &item, what);
+    }
+  });
+}
+
 TEST(ItemFields, AreSetAndReadBack) {
   ExpectAllAreSet(ProjectRegion(), "region");
   ExpectAllAreSet(ProjectDrive(), "drive");
   ExpectAllAreSet(ProjectHold(), "hold");
   ExpectAllAreSet(ProjectMarker(), "marker");
-  for (const ForceKind kind : {ForceKind::kWind, ForceKind::kAttract, ForceKind::kPush}) {
-    ProjectForce force;
-    force.kind = kind;
-    for (const ParameterInfo& info : edit::FieldsOf(force)) {
-      if (std::string(info.name) != "kind") ExpectIsSet(info, &force, "force");
-    }
-  }
-  for (const auto& kind : EnumNames<ConstraintKind>::kNames) {
-    ProjectConstraint constraint;
-    constraint.kind = kind.value;
-    for (const ParameterInfo& info : edit::FieldsOf(constraint)) {
-      if (std::string(info.name) != "kind") ExpectIsSet(info, &constraint, "constraint");
-    }
-  }
+  ExpectAllKindsAreSet<ProjectForce>("force");
+  ExpectAllKindsAreSet<ProjectConstraint>("constraint");
   ExpectAllAreSet(ProjectSolver(), "solver");
   ExpectAllAreSet(ProjectCamera(), "camera");
   ExpectAllAreSet(ProjectAudio(), "audio");

@@ -224,7 +224,7 @@ TEST(RoundTrip, AirHasTheDensityThatItHasAtSeaLevel) {
       {"name": "calm", "kind": "wind", "velocity_m_s": [0, 0, 0], "first_frame": 0,
        "last_frame": 30}])"}});
   const Project project = ParseGood(before);
-  EXPECT_EQ(project.forces[0].density_kg_m3, 1.225);
+  EXPECT_EQ(std::get<WindForce>(project.forces[0].action).density, 1.225);
   EXPECT_EQ(Json::parse(WriteProject(project))["forces"], before["forces"]);
 }
 

@@ -27,8 +27,8 @@ const std::vector<ManualPart>& ManualParts() {
         "line marks the bars of such regions in the dope sheet. The root has a row there like any "
         "limb: painting all limbs takes it along, so that the body turns as it falls, and the "
         "right button on a bar takes its row out of the region.",
-        "Scene > Forces adds wind, a pull towards a place, and a push, which is a blow at one "
-        "instant. Joints in regions give way to them, and so does a figure that flies while it "
+        "Scene > Forces adds what acts from outside, such as wind or a push, which is a blow at "
+        "one instant. Joints in regions give way to them, and so does a figure that flies while it "
         "has a region; what keys move does not.",
         "Scene > Constraints keeps things together while a region moves one of them: a hand and a "
         "bar that it holds on to, two hands, a foot on a rope. A point lets them turn, a weld does "
