@@ -14,7 +14,8 @@ namespace hazumi {
 
 // Declaration of a kind: the operator that changes an item and its parameter that says which, what
 // parameters name, and the list in a file and in a project. An item with first_frame and last_frame
-// is a span; an item of another kind has the frames that ForEachFrame visits.
+// is a span; an item of another kind has the frames that ForEachFrame visits. A kind with a title
+// has operators that add and remove, a list in the scene's properties and a menu of these.
 template <typename Item>
 struct ItemKind;
 
@@ -78,7 +79,10 @@ struct ItemKind<ProjectMarker> {
 };
 template <>
 struct ItemKind<ProjectForce> {
+  static constexpr const char* kTitle = "Forces";
+  static constexpr const char* kAdd = "force.add";
   static constexpr const char* kSet = "force.set";
+  static constexpr const char* kRemove = "force.remove";
   static constexpr const char* kParameter = "force";
   static constexpr Thing kThing = Thing::kForce;
   static constexpr const char* kList = "forces";
@@ -86,7 +90,10 @@ struct ItemKind<ProjectForce> {
 };
 template <>
 struct ItemKind<ProjectConstraint> {
+  static constexpr const char* kTitle = "Constraints";
+  static constexpr const char* kAdd = "constraint.add";
   static constexpr const char* kSet = "constraint.set";
+  static constexpr const char* kRemove = "constraint.remove";
   static constexpr const char* kParameter = "constraint";
   static constexpr Thing kThing = Thing::kConstraint;
   static constexpr const char* kList = "constraints";
@@ -96,7 +103,8 @@ struct ItemKind<ProjectConstraint> {
 using ItemTypes = std::tuple<ProjectRegion, ProjectPlacement, ProjectHold, ProjectHeldObject,
                              ProjectSceneObject, ProjectMarker, ProjectForce, ProjectConstraint>;
 
-// Calls action(kind, list of each project ...) for each kind; `kind` is an ItemKind<Item>.
+// Calls action(kind, list of each project ...) for each kind; `kind` is an ItemKind<Item>. Without
+// projects: action(kind).
 template <typename Action, typename... Projects>
 void ForEachItemList(Action&& action, Projects&... projects) {
   const auto each = [&]<typename Item>(const Item*) {
@@ -107,6 +115,11 @@ void ForEachItemList(Action&& action, Projects&... projects) {
   };
   all(static_cast<const ItemTypes*>(nullptr));
 }
+
+template <typename Item>
+concept HasTitle = requires {
+  ItemKind<Item>::kTitle;
+};
 
 // An item that messages and parameters call by a name of its own; others go by their number.
 template <typename Item>
@@ -125,7 +138,7 @@ concept SpanItem = requires(Item item) {
 // Whether its first frame alone counts.
 template <SpanItem Item>
 bool IsOneFrame(const Item& item) {
-  if constexpr (std::is_same_v<Item, ProjectForce>) return item.kind == ForceKind::kPush;
+  if constexpr (std::is_same_v<Item, ProjectForce>) return item.kind() == ForceKind::kPush;
   return false;
 }
 

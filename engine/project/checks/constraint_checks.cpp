@@ -29,13 +29,9 @@ void CheckObjectName(const std::string& name, const Project& project, const Site
               {Quoted(name), names.empty() ? "there are none" : Suggestion(name, names)});
 }
 
-void CheckEndNames(const ProjectConstraintEnd& end, const Project& project, const Figure& figure,
-                   const Site& site) {
+void CheckEndNames(const ProjectConstraintEnd& end, const Project& project, const Site& site) {
   if (!end.joint.empty() && !end.object.empty()) {
     return site.Report(Check::kJointAndObject, {Quoted(end.joint), Quoted(end.object)});
-  }
-  if (!end.joint.empty() && !MeansRoot(end.joint, figure)) {
-    ExpectJoint(end.joint, figure, site.Field("joint"));
   }
   if (!end.object.empty()) CheckObjectName(end.object, project, site.Field("object"));
 }
@@ -109,11 +105,11 @@ void CheckConstraint(const Constraint& constraint, const std::string& place,
 
 }  // namespace
 
-void CheckConstraintNames(const Project& project, const Figure& figure, const Site& site) {
+void CheckConstraintNames(const Project& project, const Site& site) {
   for (size_t i = 0; i < project.constraints.size(); ++i) {
     const ProjectConstraint& constraint = project.constraints[i];
-    CheckEndNames(constraint.a, project, figure, site.Item(i).Field("a"));
-    CheckEndNames(constraint.b, project, figure, site.Item(i).Field("b"));
+    CheckEndNames(constraint.a, project, site.Item(i).Field("a"));
+    CheckEndNames(constraint.b, project, site.Item(i).Field("b"));
   }
 }
 

@@ -14,9 +14,9 @@
 
 namespace hazumi {
 
-// Reports the first joint or object that a constraint names and that is not there, or is not the
-// only one that may be meant.
-void CheckConstraintNames(const Project& project, const Figure& figure, const Site& site);
+// Reports the first object that a constraint names and that is not there, or is not the only one
+// that may be meant, and an end with both a joint and an object.
+void CheckConstraintNames(const Project& project, const Site& site);
 
 // Who has an object in all of these frames; null, and reported, if no one has.
 const Holder* HolderDuring(const HeldObject& object, Span span, const Animation& animation,

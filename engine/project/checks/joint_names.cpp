@@ -1,9 +1,15 @@
 #include "engine/project/checks/joint_names.h"
 
 #include <algorithm>
+#include <array>
+#include <type_traits>
+#include <utility>
+#include <variant>
 
 #include "engine/project/checks/constraint_checks.h"
 #include "engine/project/checks/document_checks.h"
+#include "engine/project/fields/project_fields.h"
+#include "engine/project/items.h"
 #include "engine/project/json/did_you_mean.h"
 
 namespace hazumi {
@@ -66,16 +72,61 @@ void CheckSetNames(const ProjectSelectionSet& set, const Figure& figure, const S
   }
 }
 
-void CheckPlacementNames(const ProjectPlacement& placement, const Figure& figure,
-                         const Site& site) {
-  const bool is_pinned = placement.kind == PlacementKind::kPinned;
-  if (is_pinned) ExpectJoint(placement.pin, figure, site.Field("joint"));
-  if (placement.kind != PlacementKind::kGravity) return;
-  if (!placement.pin.empty()) ExpectJoint(placement.pin, figure, site.Field("pin"));
-  if (!placement.landing_pin.empty()) {
-    ExpectJoint(placement.landing_pin, figure, site.Field("landing_pin"));
+// Checks the fields of an item that name a joint (Field::thing), and of what it holds.
+class JointFields {
+ public:
+  template <typename T>
+  using RefTo = const T&;
+
+  JointFields(const Figure& figure, Site site) : figure_(figure), site_(std::move(site)) {}
+
+  template <typename T>
+  void Required(const Field& field, const T& value) {
+    const Site place = site_.Field(field.name);
+    if constexpr (std::is_same_v<T, std::string>) {
+      Check(field, value, place);
+    } else if constexpr (requires { Describe(*this, value[0]); }) {
+      for (size_t i = 0; i < value.size(); ++i) CheckJointFields(value[i], figure_, place.Item(i));
+    }
   }
-}
+  template <typename T>
+  void Stated(const Field& field, const T& value) {
+    Required(field, value);
+  }
+  template <typename T>
+  void Optional(const Field& field, const T& value, const T& otherwise = T()) {
+    if (!(value == otherwise)) Required(field, value);
+  }
+  template <typename T, typename Fields>
+  void Nested(const Field& field, const T& value, Fields fields) {
+    JointFields within(figure_, site_.Field(field.name));
+    fields(within, value);
+  }
+  template <typename T>
+  void Literal(const char*, const T&) {}
+  template <typename... T>
+  void OneOf(const std::array<const char*, sizeof...(T)>&, const std::variant<T...>&) {}
+  template <typename T, typename Fields>
+  void List(const Field&, const T&, Fields) {}
+  template <typename T, typename Fields>
+  void OptionalList(const Field&, const T&, Fields) {}
+
+  template <typename Item>
+  static void CheckJointFields(const Item& item, const Figure& figure, const Site& site) {
+    JointFields fields(figure, site);
+    Describe(fields, item);
+  }
+
+ private:
+  void Check(const Field& field, const std::string& name, const Site& place) const {
+    const bool may_be_root = field.thing == Thing::kJointOrRoot;
+    if (!may_be_root && field.thing != Thing::kJoint) return;
+    if (!may_be_root || !MeansRoot(name, figure_)) ExpectJoint(name, figure_, place);
+  }
+
+  const Figure& figure_;
+  Site site_;
+};
 
 }  // namespace
 
@@ -160,26 +211,15 @@ void CheckNames(const Project& project, const Figure& figure, FirstError* errors
     CheckRegionNames(region, region.method.value_or(project.solver.method), figure,
                      site.Field("regions").Item(i));
   }
-  for (size_t i = 0; i < project.placements.size(); ++i) {
-    CheckPlacementNames(project.placements[i], figure, site.Field("placements").Item(i));
-  }
-  for (size_t i = 0; i < project.holds.size(); ++i) {
-    ExpectJoint(project.holds[i].joint, figure, site.Field("holds").Item(i).Field("joint"));
-  }
-  for (size_t i = 0; i < project.held_objects.size(); ++i) {
-    const ProjectHeldObject& object = project.held_objects[i];
-    const Site place = site.Field("held_objects").Item(i);
-    if (!object.joint.empty()) ExpectJoint(object.joint, figure, place.Field("joint"));
-    for (size_t k = 0; k < object.holders.size(); ++k) {
-      ExpectJoint(object.holders[k].joint, figure, place.Field("holders").Item(k).Field("joint"));
-    }
-  }
-  for (size_t i = 0; i < project.forces.size(); ++i) {
-    const ProjectForce& force = project.forces[i];
-    if (!ActsAtPoint(force.kind) || MeansRoot(force.joint, figure)) continue;
-    ExpectJoint(force.joint, figure, site.Field("forces").Item(i).Field("joint"));
-  }
-  CheckConstraintNames(project, figure, site.Field("constraints"));
+  ForEachItemList(
+      [&]<typename Item>(ItemKind<Item> kind, const std::vector<Item>& items) {
+        if constexpr (std::is_same_v<Item, ProjectRegion>) return;
+        for (size_t i = 0; i < items.size(); ++i) {
+          JointFields::CheckJointFields(items[i], figure, site.Field(kind.kList).Item(i));
+        }
+      },
+      project);
+  CheckConstraintNames(project, site.Field("constraints"));
   for (size_t i = 0; i < project.selection_sets.size(); ++i) {
     CheckSetNames(project.selection_sets[i], figure, site.Field("selection_sets").Item(i));
   }

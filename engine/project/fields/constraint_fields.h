@@ -2,6 +2,8 @@
 
 // The fields of constraints; see project_fields.h.
 
+#include <array>
+
 #include "engine/project/enum_names.h"
 #include "engine/project/fields/curve_fields.h"
 #include "engine/project/fields/field.h"
@@ -26,7 +28,7 @@ constexpr ConstraintEndFields FieldsOfEnd(const char* end, const ConstraintEndNa
            .label = labels.joint,
            .help = "the joint to whose body this end is fixed",
            .details = "Or the root. Not with an object.",
-           .thing = Thing::kJoint,
+           .thing = Thing::kJointOrRoot,
            .may_be_none = true},
           {.name = "object",
            .parameter = parameters.object,
@@ -70,6 +72,9 @@ void DescribeEnd(Ar& ar, Ref<Ar, ProjectConstraintEnd> end, const ConstraintEndF
   }
 }
 
+template <>
+inline constexpr std::array kAddLabels<ProjectConstraint> = {"Add point", "Add weld",
+                                                             "Add distance"};
 template <>
 inline constexpr StructInfo kStructInfo<ProjectConstraint> = {
     "constraint",

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/project/fields/project_fields.h"
+#include "engine/project/items.h"
 #include "ui/panels/commands/actions.h"
 #include "ui/panels/dialogs/dialogs.h"
 #include "ui/panels/sheet/key_kinds.h"
@@ -216,52 +218,71 @@ MenuEntry RegionMenu() {
        {"solver.set"}});
 }
 
+// What else the menu of a kind of items does.
+template <typename Item>
+std::vector<MenuEntry> MoreEntries(ItemKind<Item>) {
+  return {};
+}
+std::vector<MenuEntry> MoreEntries(ItemKind<ProjectConstraint>) {
+  return {{"tool.hold_on"}, {"constraint.hold_on"}};
+}
+
+template <HasTitle Item>
+MenuEntry MenuOf(ItemKind<Item> kind) {
+  std::vector<MenuEntry> entries;
+  if constexpr (HasKind<Item>) {
+    static_assert(!kAddLabels<Item>.empty());
+    ForEachKind<Item>([&](const Item&, const char* word) {
+      entries.push_back({kind.kAdd, {{"kind", word}}, kAddLabels<Item>[entries.size()]});
+    });
+  } else {
+    entries.push_back({kind.kAdd});
+  }
+  for (MenuEntry& entry : MoreEntries(kind)) entries.push_back(std::move(entry));
+  for (const MenuEntry& entry : {Line(), MenuEntry{kind.kSet}, MenuEntry{kind.kRemove}}) {
+    entries.push_back(entry);
+  }
+  return Submenu(kind.kTitle, std::move(entries));
+}
+
 MenuEntry SceneMenu() {
-  return Submenu(
-      "Scene", {{"scene.gravity"},
-                {"tool.add_box"},
-                {"object.add_box"},
-                {"object.add_plane"},
-                {"held.add_ball"},
-                {"held.add_box"},
-                {"file.mesh_dialog", Json::object(), "Add mesh"},
-                {"held.let_go"},
-                {"held.pass"},
-                {"held.key"},
-                {"held.turn"},
-                {"view.duplicate_object"},
-                {"object.remove"},
-                Line(),
-                Submenu("Forces", {{"force.add", {{"kind", "wind"}}, "Add wind"},
-                                   {"force.add", {{"kind", "attract"}}, "Add pull"},
-                                   {"force.add", {{"kind", "push"}}, "Add push"},
-                                   Line(),
-                                   {"force.set"},
-                                   {"force.remove"}}),
-                Submenu("Constraints", {{"constraint.add", {{"kind", "point"}}, "Add point"},
-                                        {"constraint.add", {{"kind", "weld"}}, "Add weld"},
-                                        {"constraint.add", {{"kind", "distance"}}, "Add distance"},
-                                        {"tool.hold_on"},
-                                        {"constraint.hold_on"},
-                                        Line(),
-                                        {"constraint.set"},
-                                        {"constraint.remove"}}),
-                Line(),
-                {"tool.throw"},
-                {"tool.jump"},
-                Submenu("Throw or jump by numbers",
-                        {{"throw.add"}, {"held.throw_onto"}, {"jump.add"}, {"jump.aim"}}),
-                Line(),
-                {"span.pin"},
-                {"span.gravity"},
-                {"span.hold"},
-                {"placement.set"},
-                {"placement.flight"},
-                Line(),
-                {"file.sound_dialog"},
-                {"audio.remove"},
-                {"file.reference_dialog"},
-                {"reference.remove"}});
+  std::vector<MenuEntry> entries = {{"scene.gravity"},
+                                    {"tool.add_box"},
+                                    {"object.add_box"},
+                                    {"object.add_plane"},
+                                    {"held.add_ball"},
+                                    {"held.add_box"},
+                                    {"file.mesh_dialog", Json::object(), "Add mesh"},
+                                    {"held.let_go"},
+                                    {"held.pass"},
+                                    {"held.key"},
+                                    {"held.turn"},
+                                    {"view.duplicate_object"},
+                                    {"object.remove"},
+                                    Line()};
+  ForEachItemList([&]<typename Item>(ItemKind<Item> kind) {
+    if constexpr (HasTitle<Item>) entries.push_back(MenuOf(kind));
+  });
+  for (MenuEntry& entry : std::vector<MenuEntry>{
+           Line(),
+           {"tool.throw"},
+           {"tool.jump"},
+           Submenu("Throw or jump by numbers",
+                   {{"throw.add"}, {"held.throw_onto"}, {"jump.add"}, {"jump.aim"}}),
+           Line(),
+           {"span.pin"},
+           {"span.gravity"},
+           {"span.hold"},
+           {"placement.set"},
+           {"placement.flight"},
+           Line(),
+           {"file.sound_dialog"},
+           {"audio.remove"},
+           {"file.reference_dialog"},
+           {"reference.remove"}}) {
+    entries.push_back(std::move(entry));
+  }
+  return Submenu("Scene", std::move(entries));
 }
 
 MenuEntry HelpMenu() {

@@ -138,6 +138,7 @@ Json Named(const ParameterInfo& info, edit::Session* session) {
     case Thing::kJointOrHinge:
       return SuggestedJoint(info, session);
     case Thing::kJointOrRoot:
+      if (info.kind == ParameterKind::kText) return SuggestedJoint(info, session);
       return edit::SelectedNames(*session);
     case Thing::kHinge:
     case Thing::kCurve:

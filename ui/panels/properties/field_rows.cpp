@@ -1,5 +1,6 @@
 #include "ui/panels/properties/field_rows.h"
 
+#include "engine/project/checks/joint_names.h"
 #include "ui/panels/text/number_text.h"
 
 namespace hazumi::ui {
@@ -80,7 +81,8 @@ void FieldRows::operator()(const Field& field, const std::string& value) {
               [&](const std::string& color, const std::string& drag) {
                 set_({{ParameterOf(field), color}}, drag);
               });
-  } else if (field.thing == Thing::kJoint || field.thing == Thing::kSceneOrHeldObject) {
+  } else if (field.thing == Thing::kJoint || field.thing == Thing::kJointOrRoot ||
+             field.thing == Thing::kSceneOrHeldObject) {
     DrawThings(field, value);
   } else {
     DrawText(editor_, ParameterOf(field), Tr(field.label), value, [&](const std::string& text) {
@@ -115,7 +117,9 @@ void FieldRows::DrawThings(const Field& field, const std::string& value) {
   const auto add = [&](const auto& things) {
     for (const auto& thing : things) names.push_back(thing.name);
   };
-  if (field.thing == Thing::kJoint) {
+  const std::string root = NameOfRoot(session.figure());
+  if (field.thing == Thing::kJointOrRoot && !root.empty()) names.push_back(root);
+  if (field.thing != Thing::kSceneOrHeldObject) {
     add(session.figure().groups());
   } else {
     add(project.scene.objects);

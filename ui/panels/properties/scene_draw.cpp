@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "engine/project/edits/holders.h"
+#include "engine/project/fields/project_fields.h"
+#include "engine/project/items.h"
 #include "ui/edit/operators/edits.h"
 #include "ui/panels/commands/actions.h"
 #include "ui/panels/dope_sheet/bars.h"
@@ -94,27 +96,57 @@ bool DrawHeadingOf(const Editor& editor, const char* title, const Items& items) 
   return DrawHeading(title, !items.empty());
 }
 
-// One of a list whose items have names. `key`: the operators' parameter for its name.
+// What an item may leave out. True if it was changed.
 template <typename Item>
-void DrawItem(Editor* editor, const Item& item, const char* key, const char* set,
-              const char* remove) {
-  const Json named = {{key, item.name}};
-  ImGui::PushID(item.name.c_str());
-  if (ObjectNode(editor, item.name, item.identity.id)) {
-    DrawFieldRows(editor, item, {}, SetBy(editor, set, named));
-    if (DrawButton(Tr("Remove"), HelpOf(remove))) editor->Do(remove, named);
+bool DrawOffers(const Item&, const SetItem&) {
+  return false;
+}
+bool DrawOffers(const ProjectConstraint& constraint, const SetItem& set) {
+  const auto offer = [&](const char* label, const char* help, const Json& change, int share) {
+    const bool is_wanted = DrawButton(label, help, share);
+    if (is_wanted) set(change, "");
+    return is_wanted;
+  };
+  const bool closes = constraint.arrive_frames.has_value();
+  const bool breaks = constraint.break_force_n || constraint.break_impulse_n_s;
+  if (closes ? offer(Tr("No gap"), Tr("true: there is no gap that has to close"),
+                     {{"no_gap", true}}, 1)
+             : offer(Tr("Close gap"), Tr("a gap closes to 1 % in so many frames"), {{"arrive", 5}},
+                     1)) {
+    return true;
   }
-  ImGui::PopID();
+  if (breaks) {
+    return offer(Tr("Unbreakable"), Tr("true: nothing breaks it"), {{"unbreakable", true}}, 1);
+  }
+  if (offer(Tr("Breaks by force"), Tr("it breaks under more, and is gone from then on"),
+            {{"break_force", 1000.0}}, 2)) {
+    return true;
+  }
+  ImGui::SameLine();
+  return offer(Tr("Breaks by impulse"),
+               Tr("it breaks under a greater one, and is gone from then on"),
+               {{"break_impulse", 20.0}}, 2);
 }
 
-void DrawObject(Editor* editor, const ProjectSceneObject& object) {
-  DrawItem(editor, object, "object", "object.set", "object.remove");
+// One of a list whose items have names.
+template <typename Item>
+void DrawItem(Editor* editor, const Item& item, const char* remove) {
+  const Json named = {{ItemKind<Item>::kParameter, item.name}};
+  ImGui::PushID(item.name.c_str());
+  if (ObjectNode(editor, item.name, item.identity.id)) {
+    const SetItem set = SetBy(editor, ItemKind<Item>::kSet, named);
+    DrawFieldRows(editor, item, {}, set);
+    if (!DrawOffers(item, set) && DrawButton(Tr("Remove"), HelpOf(remove))) {
+      editor->Do(remove, named);
+    }
+  }
+  ImGui::PopID();
 }
 
 void DrawObjects(Editor* editor) {
   if (!DrawHeading(Tr("Objects"))) return;
   const ProjectScene scene = editor->session().project().scene;
-  for (const ProjectSceneObject& object : scene.objects) DrawObject(editor, object);
+  for (const ProjectSceneObject& object : scene.objects) DrawItem(editor, object, "object.remove");
   if (DrawButton(LabelOf("tool.add_box"), HelpOf("tool.add_box"), 2)) {
     (void)editor->Invoke("tool.add_box");
   }
@@ -182,89 +214,33 @@ void DrawHeldObjects(Editor* editor) {
   ImGui::PopID();
 }
 
-void DrawForce(Editor* editor, const ProjectForce& force) {
-  DrawItem(editor, force, "force", "force.set", "force.remove");
+template <typename Item>
+void DrawAddButtons(Editor* editor) {
+  const char* const add = ItemKind<Item>::kAdd;
+  if constexpr (HasKind<Item>) {
+    static_assert(!kAddLabels<Item>.empty());
+    constexpr size_t kInARow = 3;
+    size_t i = 0;
+    ForEachKind<Item>([&](const Item&, const char* kind) {
+      if (i % kInARow > 0) ImGui::SameLine();
+      if (DrawButton(Tr(kAddLabels<Item>[i++]), HelpOf(add), kInARow)) {
+        editor->Do(add, {{"kind", kind}});
+      }
+    });
+  } else if (DrawButton(LabelOf(add), HelpOf(add))) {
+    editor->Do(add);
+  }
 }
 
-void DrawForces(Editor* editor) {
+template <HasTitle Item>
+void DrawList(Editor* editor) {
+  using Kind = ItemKind<Item>;
   // A copy: what is done below changes the list.
-  const std::vector<ProjectForce> forces = editor->session().project().forces;
-  if (!DrawHeadingOf(*editor, Tr("Forces"), forces)) return;
-  ImGui::PushID("forces");
-  for (const ProjectForce& force : forces) DrawForce(editor, force);
-  const auto add = [&](const char* label, const char* kind) {
-    if (DrawButton(label, HelpOf("force.add"), 3)) editor->Do("force.add", {{"kind", kind}});
-  };
-  add(Tr("Add wind"), "wind");
-  ImGui::SameLine();
-  add(Tr("Add pull"), "attract");
-  ImGui::SameLine();
-  add(Tr("Add push"), "push");
-  ImGui::PopID();
-}
-
-// What a constraint may leave out. True if it was changed.
-bool DrawLimits(const ProjectConstraint& constraint, const SetItem& set) {
-  const auto offer = [&](const char* label, const char* help, const Json& change, int share) {
-    const bool is_wanted = DrawButton(label, help, share);
-    if (is_wanted) set(change, "");
-    return is_wanted;
-  };
-  const bool closes = constraint.arrive_frames.has_value();
-  const bool breaks = constraint.break_force_n || constraint.break_impulse_n_s;
-  if (closes ? offer(Tr("No gap"), Tr("true: there is no gap that has to close"),
-                     {{"no_gap", true}}, 1)
-             : offer(Tr("Close gap"), Tr("a gap closes to 1 % in so many frames"), {{"arrive", 5}},
-                     1)) {
-    return true;
-  }
-  if (breaks) {
-    return offer(Tr("Unbreakable"), Tr("true: nothing breaks it"), {{"unbreakable", true}}, 1);
-  }
-  if (offer(Tr("Breaks by force"), Tr("it breaks under more, and is gone from then on"),
-            {{"break_force", 1000.0}}, 2)) {
-    return true;
-  }
-  ImGui::SameLine();
-  return offer(Tr("Breaks by impulse"),
-               Tr("it breaks under a greater one, and is gone from then on"),
-               {{"break_impulse", 20.0}}, 2);
-}
-
-// False if the list has changed.
-bool DrawConstraint(Editor* editor, const ProjectConstraint& constraint) {
-  const long revision = editor->session().document().revision();
-  const Json named = {{"constraint", constraint.name}};
-  ImGui::PushID(constraint.name.c_str());
-  if (ObjectNode(editor, constraint.name, constraint.identity.id)) {
-    const SetItem set = SetBy(editor, "constraint.set", named);
-    DrawFieldRows(editor, constraint, {}, set);
-    if (!DrawLimits(constraint, set) && DrawButton(Tr("Remove"), HelpOf("constraint.remove"))) {
-      editor->Do("constraint.remove", named);
-    }
-  }
-  ImGui::PopID();
-  return editor->session().document().revision() == revision;
-}
-
-void DrawConstraints(Editor* editor) {
-  // A copy: what is done below changes the list.
-  const std::vector<ProjectConstraint> constraints = editor->session().project().constraints;
-  if (!DrawHeadingOf(*editor, Tr("Constraints"), constraints)) return;
-  ImGui::PushID("constraints");
-  for (const ProjectConstraint& constraint : constraints) {
-    if (!DrawConstraint(editor, constraint)) break;
-  }
-  const auto add = [&](const char* label, const char* kind) {
-    if (DrawButton(label, HelpOf("constraint.add"), 3)) {
-      editor->Do("constraint.add", {{"kind", kind}});
-    }
-  };
-  add(Tr("Add point"), "point");
-  ImGui::SameLine();
-  add(Tr("Add weld"), "weld");
-  ImGui::SameLine();
-  add(Tr("Add distance"), "distance");
+  const std::vector<Item> items = Kind::In(editor->session().project());
+  if (!DrawHeadingOf(*editor, Tr(Kind::kTitle), items)) return;
+  ImGui::PushID(Kind::kList);
+  for (const Item& item : items) DrawItem(editor, item, Kind::kRemove);
+  DrawAddButtons<Item>(editor);
   ImGui::PopID();
 }
 
@@ -311,8 +287,9 @@ void DrawSceneSection(Editor* editor) {
   DrawHolds(editor);
   DrawObjects(editor);
   DrawHeldObjects(editor);
-  DrawForces(editor);
-  DrawConstraints(editor);
+  ForEachItemList([&]<typename Item>(ItemKind<Item>) {
+    if constexpr (HasTitle<Item>) DrawList<Item>(editor);
+  });
   DrawCamera(editor);
   DrawSound(editor);
   DrawReference(editor);
