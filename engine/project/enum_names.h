@@ -28,7 +28,7 @@ struct EnumName {
   const char* name;
 };
 
-// Of one whose enumerators, up to the last, have names of their own.
+// Returns the words of an enumeration up to its last enumerator, as NameOf gives them.
 template <auto kLast>
 constexpr auto NamesUpTo() {
   using Enum = decltype(kLast);

@@ -145,7 +145,7 @@ struct ProjectHold {
   bool operator==(const ProjectHold&) const = default;
 };
 
-// What acts from outside.
+// A force that acts on the figure from outside.
 struct ProjectForce {
   std::string name;
   ForceAction action = NewAction(ForceKind::kWind);
@@ -155,7 +155,7 @@ struct ProjectForce {
   Identity identity = {};
 
   ForceKind kind() const { return KindOf(action); }
-  // A new one of that kind, but for what both kinds have.
+  // Gives it another kind, with the values of a new force but for those that both kinds have.
   void Become(ForceKind other) {
     if (other == kind()) return;
     const ForcePoint* const before = ForcePointOf(action);

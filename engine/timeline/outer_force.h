@@ -44,7 +44,7 @@ struct PushForce {
   bool operator==(const PushForce&) const = default;
 };
 
-// What a force does, by its kind.
+// The action of a force: one struct for each kind, in the order of ForceKind.
 using ForceAction = std::variant<WindForce, AttractForce, PushForce>;
 enum class ForceKind { kWind, kAttract, kPush };
 inline constexpr std::array kForceKinds = {"wind", "attract", "push"};

@@ -264,8 +264,8 @@ TEST(WorkingRegion, GoesOnBeyondAPole) {
   trials.Expect();
 }
 
-// Found among a thousand: an outer hinge of a ball joint lets go of its limit half a millisecond
-// before the joint passes a pole. Steps that missed it were off by 39 degrees, and said nothing.
+// Found among a thousand: an outer hinge of a ball joint has to let go of its limit within half a
+// millisecond before the joint passes a pole, between the usual looks into a step.
 TEST(WorkingRegion, LetsGoNextToAPole) {
   Trials trials;
   trials.Add(940000431);

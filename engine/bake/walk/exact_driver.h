@@ -73,10 +73,8 @@ class ExactDriver {
   // solved along.
   std::optional<Vec3> Accelerations(double t, VecX* rates, VecX* accelerations);
 
-  // All angles at a time that can be sampled, by Coordinate [rad]; 0 for those that are not free.
-  VecX AnglesAt(double t);
-  // How far two such are apart, by active region: the largest distance of a joint [rad], as in
-  // estimates.
+  // Returns how far two sets of angles, as from Estimate, are apart: by active region the largest
+  // distance of a joint [rad].
   std::vector<double> Distances(const VecX& angles, const VecX& others) const;
 
   // Adds up energies and work to t, which all islands have reached; an account is kept from the
@@ -115,8 +113,9 @@ class ExactDriver {
   // What pushes where, at such a time.
   SceneContacts ContactsAt(double t);
 
-  // Compares with the control solutions at time t.
-  void Estimate(double t);
+  // Compares with the control solutions at time t. Returns the angles there, by Coordinate [rad]; 0
+  // for those that are not free.
+  VecX Estimate(double t);
   const RegionEstimates& estimates() const { return estimates_; }
 
   long evaluations() const;

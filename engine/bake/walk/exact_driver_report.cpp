@@ -49,9 +49,9 @@ void ExactDriver::LeaveControl(Island* island) {
       island->solution.time_stepping_from().value_or(island->solution.time()));
 }
 
-void ExactDriver::Estimate(double t) {
+VecX ExactDriver::Estimate(double t) {
   const int n = regions_.num_coordinates();
-  RotationState state{VecX(n), VecX(n), {}}, control = state;
+  RotationState state{VecX::Zero(n), VecX::Zero(n), {}}, control = state;
   Sample(t, &state);
   SampleControl(t, &control);
   std::vector<double> errors(regions_.size(), 0.0);
@@ -68,13 +68,7 @@ void ExactDriver::Estimate(double t) {
     }
   }
   estimates_.Add(t, errors);
-}
-
-VecX ExactDriver::AnglesAt(double t) {
-  const int n = regions_.num_coordinates();
-  RotationState state{VecX::Zero(n), VecX::Zero(n), {}};
-  Sample(t, &state);
-  return state.q;
+  return std::move(state.q);
 }
 
 std::vector<double> ExactDriver::Distances(const VecX& angles, const VecX& others) const {

@@ -118,12 +118,11 @@ Result<int> ExactWalk::Advance(int frame) {
 
 // Returns an error where a finer solution does not exist; the refinement is then abandoned.
 std::optional<Error> ExactWalk::EstimateAt(int frame) {
-  driver_->Estimate(context_.Seconds(frame));
+  const VecX angles = driver_->Estimate(context_.Seconds(frame));
   const std::vector<int>& active = driver_->regions().indices();
   for (size_t a = 0; a < active.size(); ++a) {
     refinements_.Note(active[a], frame, driver_->estimates().LargestOf(a), active);
   }
-  const VecX angles = driver_->AnglesAt(context_.Seconds(frame));
   if (const VecX* kept = refinements_.KeepAngles(frame, angles)) {
     const std::vector<double> distances = driver_->Distances(angles, *kept);
     for (size_t a = 0; a < active.size(); ++a) refinements_.NoteKept(active[a], distances[a]);
@@ -377,7 +376,7 @@ std::optional<Error> ExactWalk::RecordUpTo(double from, double to, double end) {
     const double frame = output / context_.recorder.outputs_per_frame();
     FigureMotion motion;
     if (auto error = PoseAt(frame, Side::kAfter, &motion)) return error;
-    if (driver_ && !is_causal()) driver_->Estimate(context_.Seconds(frame));
+    if (driver_ && !is_causal()) (void)driver_->Estimate(context_.Seconds(frame));
     LookAtArrivals(motion);
     context_.Record(output, motion, LimitOf(motion));
     RecordPushes(output, context_.Seconds(frame));

@@ -68,9 +68,9 @@ class Refinements {
 
   const Animation& animation_;
   std::vector<Refinement> of_region_, before_;  // now, and before the last request
-  // By whole frame, likewise; of the latest ones alone.
+  // Angles of the latest whole frames, by frame: now, and before the last request.
   std::map<int, VecX> angles_, angles_before_;
-  std::optional<int> first_miss_;  // that the last request was for
+  std::optional<int> first_miss_;  // frame of the miss that the last request was for
   bool is_no_help_ = false;
 };
 

@@ -85,6 +85,8 @@ class JointFields {
     const Site place = site_.Field(field.name);
     if constexpr (std::is_same_v<T, std::string>) {
       Check(field, value, place);
+    } else if constexpr (requires { Describe(*this, value); }) {
+      CheckJointFields(value, figure_, place);
     } else if constexpr (requires { Describe(*this, value[0]); }) {
       for (size_t i = 0; i < value.size(); ++i) CheckJointFields(value[i], figure_, place.Item(i));
     }
@@ -105,11 +107,20 @@ class JointFields {
   template <typename T>
   void Literal(const char*, const T&) {}
   template <typename... T>
-  void OneOf(const std::array<const char*, sizeof...(T)>&, const std::variant<T...>&) {}
+  void OneOf(const std::array<const char*, sizeof...(T)>& names, const std::variant<T...>& value) {
+    std::visit([&](const auto& of) { Required({.name = names[value.index()]}, of); }, value);
+  }
   template <typename T, typename Fields>
-  void List(const Field&, const T&, Fields) {}
+  void List(const Field& field, const std::vector<T>& values, Fields fields) {
+    for (size_t i = 0; i < values.size(); ++i) {
+      JointFields within(figure_, site_.Field(field.name).Item(i));
+      fields(within, values[i]);
+    }
+  }
   template <typename T, typename Fields>
-  void OptionalList(const Field&, const T&, Fields) {}
+  void OptionalList(const Field& field, const std::vector<T>& values, Fields fields) {
+    List(field, values, fields);
+  }
 
   template <typename Item>
   static void CheckJointFields(const Item& item, const Figure& figure, const Site& site) {

@@ -102,7 +102,8 @@ struct StructInfo {
 template <typename T>
 inline constexpr StructInfo kStructInfo = {"", ""};
 
-// What makes a new item is called, by its kind; of items without kinds, as its operator.
+// Labels of what adds an item, one for each kind; none for items without kinds, whose operator has
+// a label.
 template <typename Item>
 inline constexpr std::array<const char*, 0> kAddLabels = {};
 

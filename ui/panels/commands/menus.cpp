@@ -218,7 +218,7 @@ MenuEntry RegionMenu() {
        {"solver.set"}});
 }
 
-// What else the menu of a kind of items does.
+// Returns entries that the menu of a kind of items has besides.
 template <typename Item>
 std::vector<MenuEntry> MoreEntries(ItemKind<Item>) {
   return {};

@@ -96,7 +96,7 @@ bool DrawHeadingOf(const Editor& editor, const char* title, const Items& items) 
   return DrawHeading(title, !items.empty());
 }
 
-// What an item may leave out. True if it was changed.
+// Draws buttons for fields that an item may leave out. Returns whether one of them changed it.
 template <typename Item>
 bool DrawOffers(const Item&, const SetItem&) {
   return false;
