@@ -272,6 +272,17 @@ TEST(WorkingRegion, LetsGoNextToAPole) {
   trials.Expect();
 }
 
+// The rules of the solver's version hold for a region without contacts, too.
+TEST(WorkingRegion, LooksForNoReleaseNextToAPoleInVersionOne) {
+  Animation animation = RandomWorkingRegion(940000431).animation;
+  ASSERT_FALSE(animation.regions[0].touches_scene || animation.regions[0].touches_self);
+  const Result<Motion> two = Bake(animation);
+  animation.solver.version = 1;
+  const Result<Motion> one = Bake(animation);
+  ASSERT_TRUE(one.ok() && two.ok());
+  EXPECT_GT(FurthestApart(animation, one.value(), two.value(), HUGE_VAL), 10.0);  // [deg]
+}
+
 // Found among a thousand: finer steps do not help, or only show that what stays of the coarser ones
 // was off by more than they estimated.
 TEST(WorkingRegion, SaysWhereAnEstimateWasTooSmall) {

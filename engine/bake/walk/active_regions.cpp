@@ -159,6 +159,7 @@ ActiveRegions::Island ActiveRegions::IslandFor(RegionModel model, const Circumst
     island.held = ConstraintsOf(task.model, animation_, at.acting);
     task.constraints = island.held.specs;
   }
+  task.contacts.rules = animation_.solver.rules();
   if (has_contacts_) {
     const auto touches = [&](JointIndex j) { return Touches(j); };
     AddBalls(animation_.held_objects, at.loose, figure_, touches, &task.model);
