@@ -1,9 +1,9 @@
 // Hashes of baked motions, for scripts/same_motion. Prints a line for each: its name, a hash of all
 // bits of the motion, and one of its reports, events and warnings.
-//   motion_hashes FILE.kfa ...
-//   motion_hashes --captures FILE.bvh ...    captured motion, a limb of it limp for a third
-//   motion_hashes --working FIRST COUNT      random regions with drives, forces, contacts (...)
-//   motion_hashes --falls FIRST COUNT        random falls, of which every second one meets balls
+//   motion_hashes VERSION FILE.kfa ...       VERSION: of the solver, for all; 0: what each file says
+//   motion_hashes VERSION --captures FILE.bvh ...    captured motion, a limb of it limp for a third
+//   motion_hashes VERSION --working FIRST COUNT      random regions with drives, forces, contacts (...)
+//   motion_hashes VERSION --falls FIRST COUNT        random falls, of which every second one meets balls
 
 #include <cstdint>
 #include <cstdio>
@@ -95,7 +95,10 @@ class Hash {
   uint64_t sum_ = 14695981039346656037u;
 };
 
-void Print(const std::string& name, const Animation& animation) {
+int solver_version = 0;
+
+void Print(const std::string& name, Animation animation) {
+  if (solver_version > 0) animation.solver.version = solver_version;
   BakeOptions options;
   options.energy = options.seams = options.accelerations = true;
   options.threads = 1;
@@ -173,6 +176,10 @@ void PrintProject(const std::string& name, const Result<Project>& project) {
 }
 
 int Run(int argc, char** argv) {
+  if (argc < 2) return 2;
+  solver_version = std::atoi(argv[1]);
+  --argc;
+  ++argv;
   if (argc > 1 && std::string(argv[1]) == "--captures") {
     for (int i = 2; i < argc; ++i) PrintProject(argv[i], CaptureWithRegion(argv[i]));
     return 0;
