@@ -15,7 +15,8 @@ namespace hazumi {
 // Declaration of a kind: the operator that changes an item and its parameter that says which, what
 // parameters name, and the list in a file and in a project. An item with first_frame and last_frame
 // is a span; an item of another kind has the frames that ForEachFrame visits. A kind with a title
-// has operators that add and remove, a list in the scene's properties and a menu of these.
+// has operators that add and remove, a list in the scene's properties and a menu of these. A kind
+// with a heading or a title is listed in the outliner.
 template <typename Item>
 struct ItemKind;
 
@@ -45,6 +46,7 @@ struct ItemKind<ProjectHold> {
 };
 template <>
 struct ItemKind<ProjectHeldObject> {
+  static constexpr const char* kHeading = "Held objects";
   static constexpr const char* kSet = "held.set";
   static constexpr const char* kParameter = "object";
   static constexpr Thing kThing = Thing::kHeldObject;
@@ -61,6 +63,7 @@ struct ItemKind<ProjectHeldObject> {
 };
 template <>
 struct ItemKind<ProjectSceneObject> {
+  static constexpr const char* kHeading = "Scene";
   static constexpr const char* kSet = "object.set";
   static constexpr const char* kParameter = "object";
   static constexpr Thing kThing = Thing::kObject;
@@ -120,6 +123,14 @@ template <typename Item>
 concept HasTitle = requires {
   ItemKind<Item>::kTitle;
 };
+
+// Heading of a kind in the outliner; null: it is not listed there.
+template <typename Item>
+constexpr const char* HeadingOf() {
+  if constexpr (requires { ItemKind<Item>::kHeading; }) return ItemKind<Item>::kHeading;
+  if constexpr (HasTitle<Item>) return ItemKind<Item>::kTitle;
+  return nullptr;
+}
 
 // An item that messages and parameters call by a name of its own; others go by their number.
 template <typename Item>

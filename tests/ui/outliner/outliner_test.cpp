@@ -4,8 +4,10 @@
 
 #include <algorithm>
 
+#include "ui/panels/dope_sheet/bars.h"
 #include "ui/panels/outliner/hit_test.h"
 #include "ui/panels/outliner/input.h"
+#include "ui/panels/viewport/actions.h"
 #include "ui/panels/window/panels.h"
 #include "ui/shell/offscreen_shell.h"
 
@@ -67,6 +69,16 @@ TEST(OutlinerRows, ASearchLeavesWhatHasTheText) {
   EXPECT_TRUE(RowsOf(editor).empty());
 }
 
+TEST(OutlinerRows, ItemsOfEveryKindWithAHeadingAreListed) {
+  Editor editor;
+  ASSERT_TRUE(editor.Do("force.add", {{"kind", "wind"}, {"name", "gale"}, {"velocity_x", 5.0}}));
+  const std::vector<OutlinerRow> rows = RowsOf(editor);
+  const OutlinerRow& gale = rows[RowNamed("gale", rows)];
+  EXPECT_EQ(rows[RowNamed("gale", rows) - 1].name, "Forces");
+  EXPECT_EQ(gale.thing, Thing::kForce);
+  EXPECT_EQ(gale.item, editor.session().project().forces[0].identity.id);
+}
+
 TEST(OutlinerHitTest, FindsTheRowAndItsTriangle) {
   const Editor editor;
   const std::vector<OutlinerRow> rows = RowsOf(editor);
@@ -124,6 +136,25 @@ TEST(OutlinerClick, TheLockKeepsAJointFromBeingPosed) {
   EXPECT_FALSE(editor.Do("pose.rotate", {{"joint", "r_elbow_flexion"}, {"to", 30}}));
   EXPECT_NE(editor.message.text.find("locked"), std::string::npos);
   EXPECT_TRUE(editor.Do("pose.rotate", {{"joint", "l_elbow_flexion"}, {"to", 30}}));
+}
+
+TEST(OutlinerClick, AConstraintIsChosenByItsBar) {
+  Editor editor;
+  ASSERT_TRUE(editor.Do("held.add_ball", {{"joint", "r_wrist"}}));
+  SelectObject(&editor, editor.session().project().held_objects[0].identity.id);
+  ASSERT_TRUE(editor.Do("constraint.add", {{"kind", "distance"},
+                                           {"name", "rope"},
+                                           {"a_joint", "r_wrist"},
+                                           {"b_joint", "neck"},
+                                           {"first", 5},
+                                           {"last", 10}}));
+  const std::vector<OutlinerRow> rows = RowsOf(editor);
+  ClickOutliner(&editor, rows, {RowNamed("rope", rows), OutlinerPart::kLabel}, ClickMode::kOnly);
+  const auto bar = ChosenBar(editor.session().project(), editor.sheet);
+  ASSERT_TRUE(bar);
+  EXPECT_EQ(*bar, (BarRef{BarKind::kConstraint, 0}));
+  EXPECT_FALSE(editor.viewport.selected_object.is_valid());
+  EXPECT_EQ(editor.side.section, Section::kScene);
 }
 
 TEST(Outliner, AClickOnARowSelectsItsJoint) {

@@ -81,11 +81,14 @@ float DrawSign(Editor* editor, const OutlinerRow& row, Point center, float size)
     case OutlinerRowKind::kHinge:
       list->AddCircle(ToIm(center), 0.2f * size, ToIm(ColorOf(row.side)), 0, 1.2f);
       break;
-    case OutlinerRowKind::kObject:
-      list->AddRectFilled(low, high, faint, 1.0f);
-      break;
-    case OutlinerRowKind::kHeldObject:
-      list->AddCircle(ToIm(center), 0.28f * size, faint, 0, 1.5f);
+    case OutlinerRowKind::kItem:
+      if (row.thing == Thing::kObject) {
+        list->AddRectFilled(low, high, faint, 1.0f);
+      } else if (row.thing == Thing::kHeldObject) {
+        list->AddCircle(ToIm(center), 0.28f * size, faint, 0, 1.5f);
+      } else {
+        DrawDiamond(list, center, 0.28f * size, faint, false);
+      }
       break;
     case OutlinerRowKind::kCamera:
       list->AddRectFilled(low, {center.x + 0.1f * size, high.y}, faint, 1.0f);
@@ -154,7 +157,8 @@ void DrawRow(Editor* editor, const OutlinerRow& row, size_t index, const Outline
   float x = triangle.right();
   x += DrawSign(editor, row, {x + 0.4f * size, middle}, size);
   const bool is_faint = row.kind == OutlinerRowKind::kHeading;
-  const char* label = IsSelectable(row) ? row.label.c_str() : Tr(row.label.c_str());
+  const bool is_named = IsSelectable(row) || row.kind == OutlinerRowKind::kItem;
+  const char* label = is_named ? row.label.c_str() : Tr(row.label.c_str());
   list->AddText({x, middle - 0.5f * size}, ToIm(is_faint ? theme.faint_text : theme.text), label);
   if (!IsSelectable(row)) return;
   DrawMoved(editor, row, place.Eye(index).x, middle);

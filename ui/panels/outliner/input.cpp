@@ -1,5 +1,6 @@
 #include "ui/panels/outliner/input.h"
 
+#include "ui/panels/dope_sheet/bars.h"
 #include "ui/panels/viewport/actions.h"
 
 namespace hazumi::ui {
@@ -38,14 +39,22 @@ void Switch(Editor* editor, const char* id, const OutlinerRow& row,
   editor->Do(id, {{"joints", {row.name}}, {"on", !is_on}});
 }
 
-ItemId IdOf(const OutlinerRow& row, const Project& project) {
-  const auto find = [&](const auto& items) {
-    const auto item = std::find_if(items.begin(), items.end(),
-                                   [&](const auto& each) { return each.name == row.name; });
-    return item == items.end() ? ItemId() : item->identity.id;
-  };
-  return row.kind == OutlinerRowKind::kHeldObject ? find(project.held_objects)
-                                                  : find(project.scene.objects);
+// The bar of an item, if its kind has one.
+std::optional<BarRef> BarOf(ItemId item, const Project& project) {
+  for (const BarType* type : AllBarTypes()) {
+    for (int i = 0; i < type->Num(project); ++i) {
+      if (type->Id(project, i) == item) return BarRef{type->kind, i};
+    }
+  }
+  return std::nullopt;
+}
+
+// An item that is not an object is shown by its bar, and among the scene's properties.
+void ChooseItem(Editor* editor, const OutlinerRow& row) {
+  editor->Do("select.joints", {{"joints", Json::array()}});
+  const bool is_object = row.thing == Thing::kObject || row.thing == Thing::kHeldObject;
+  SelectObject(editor, is_object ? row.item : ItemId());
+  if (const auto bar = BarOf(row.item, editor->session().project())) ChooseBar(editor, *bar);
 }
 
 }  // namespace
@@ -69,10 +78,7 @@ void ClickOutliner(Editor* editor, const std::vector<OutlinerRow>& rows, const O
   } else {
     side.active = row.name;
     side.section = Section::kScene;
-    if (row.kind != OutlinerRowKind::kCamera) {
-      editor->Do("select.joints", {{"joints", Json::array()}});
-      SelectObject(editor, IdOf(row, session.project()));
-    }
+    if (row.kind == OutlinerRowKind::kItem) ChooseItem(editor, row);
   }
   if (click != ClickMode::kExtend) side.anchor = row.name;
 }

@@ -54,13 +54,13 @@ class RowList {
     if (!Matches(root)) DropIfAlone(at);
   }
 
-  // Of kinds that have a name each.
-  template <typename List>
-  void AddNamed(const char* heading, OutlinerRowKind kind, const List& list) {
-    if (list.empty()) return;
-    const size_t at = BeginHeading(heading);
-    for (const auto& entry : list) AddLeaf(heading, kind, entry.name);
-    DropIfAlone(at);
+  // All kinds that have a heading and an item.
+  void AddItems(const Project& project) {
+    ForEachItemList(
+        [&]<typename Item>(ItemKind<Item> kind, const std::vector<Item>& items) {
+          if constexpr (HeadingOf<Item>() != nullptr) AddItems(kind, items);
+        },
+        project);
   }
 
   void AddCamera() {
@@ -85,8 +85,21 @@ class RowList {
   void DropIfAlone(size_t heading) {
     if (!search_.empty() && rows_.size() == heading + 1) rows_.pop_back();
   }
-  void AddLeaf(const char* heading, OutlinerRowKind kind, const std::string& name) {
-    if (IsShown(heading) && Matches(name)) rows_.push_back({kind, name, name, 1});
+  template <typename Item>
+  void AddItems(ItemKind<Item> kind, const std::vector<Item>& items) {
+    if (items.empty()) return;
+    const char* const heading = HeadingOf<Item>();
+    const size_t at = BeginHeading(heading);
+    for (const Item& item : items) {
+      if (!IsShown(heading) || !Matches(item.name)) continue;
+      rows_.push_back({.kind = OutlinerRowKind::kItem,
+                       .name = item.name,
+                       .label = item.name,
+                       .depth = 1,
+                       .item = item.identity.id,
+                       .thing = kind.kThing});
+    }
+    DropIfAlone(at);
   }
 
   void AddJoint(const JointGroup& joint) {
@@ -136,8 +149,7 @@ std::vector<OutlinerRow> OutlinerRows(const Figure& figure, const Project& proje
                                       const SideState& state) {
   RowList list(figure, state);
   list.AddFigure();
-  list.AddNamed("Scene", OutlinerRowKind::kObject, project.scene.objects);
-  list.AddNamed("Held objects", OutlinerRowKind::kHeldObject, project.held_objects);
+  list.AddItems(project);
   list.AddCamera();
   return list.Take();
 }

@@ -5,12 +5,12 @@
 #include <vector>
 
 #include "engine/figure/side_names.h"
-#include "engine/project/project.h"
+#include "engine/project/items.h"
 #include "ui/panels/properties/state.h"
 
 namespace hazumi::ui {
 
-enum class OutlinerRowKind { kHeading, kRoot, kJoint, kHinge, kObject, kHeldObject, kCamera };
+enum class OutlinerRowKind { kHeading, kRoot, kJoint, kHinge, kItem, kCamera };
 
 struct OutlinerRow {
   OutlinerRowKind kind;
@@ -20,14 +20,16 @@ struct OutlinerRow {
   bool has_rows = false;
   bool is_open = false;
   BodySide side = BodySide::kMiddle;
+  ItemId item = {};              // of kItem
+  Thing thing = Thing::kObject;  // of kItem: its kind
 };
 
 // The root, a joint or a hinge: it can be selected with others, hidden and locked.
 bool IsSelectable(const OutlinerRow& row);
 
-// The rows from top to bottom: the figure, joint by joint from the root on, then what stands in the
-// scene, what is held and the camera. With a search text, those whose name has it in any case, and
-// the joint or the heading above them.
+// The rows from top to bottom: the figure, joint by joint from the root on, then items by kind and
+// the camera. With a search text, those whose name has it in any case, and the joint or the heading
+// above them.
 std::vector<OutlinerRow> OutlinerRows(const Figure& figure, const Project& project,
                                       const SideState& state);
 
