@@ -1,9 +1,10 @@
 // Hashes of baked motions, for scripts/same_motion. Prints a line for each: its name, a hash of all
 // bits of the motion, and one of its reports, events and warnings.
-//   motion_hashes VERSION FILE.kfa ...       VERSION: of the solver, for all; 0: what each file says
-//   motion_hashes VERSION --captures FILE.bvh ...    captured motion, a limb of it limp for a third
-//   motion_hashes VERSION --working FIRST COUNT      random regions with drives, forces, contacts (...)
-//   motion_hashes VERSION --falls FIRST COUNT        random falls, of which every second one meets balls
+//   motion_hashes VERSION FILE.kfa ...
+//   motion_hashes VERSION --captures FILE.bvh ...   captured motion, a limb of it limp for a third
+//   motion_hashes VERSION --working FIRST COUNT     random regions in which something acts
+//   motion_hashes VERSION --falls FIRST COUNT       random falls, every second one meets balls
+// VERSION: of the solver, for all; 0: what each file says, and the latest for random motions.
 
 #include <cstdint>
 #include <cstdio>
