@@ -159,6 +159,7 @@ ActiveRegions::Island ActiveRegions::IslandFor(RegionModel model, const Circumst
     island.held = ConstraintsOf(task.model, animation_, at.acting);
     task.constraints = island.held.specs;
   }
+  // Limits go by them as well, whatever touches.
   task.contacts.rules = animation_.solver.rules();
   if (has_contacts_) {
     const auto touches = [&](JointIndex j) { return Touches(j); };

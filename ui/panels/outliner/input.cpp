@@ -40,10 +40,11 @@ void Switch(Editor* editor, const char* id, const OutlinerRow& row,
 }
 
 // The bar of an item, if its kind has one.
-std::optional<BarRef> BarOf(ItemId item, const Project& project) {
+std::optional<BarRef> BarOf(const OutlinerRow& row, const Project& project) {
   for (const BarType* type : AllBarTypes()) {
+    if (type->kind != row.thing) continue;
     for (int i = 0; i < type->Num(project); ++i) {
-      if (type->Id(project, i) == item) return BarRef{type->kind, i};
+      if (type->Id(project, i) == row.item) return BarRef{type->kind, i};
     }
   }
   return std::nullopt;
@@ -54,7 +55,7 @@ void ChooseItem(Editor* editor, const OutlinerRow& row) {
   editor->Do("select.joints", {{"joints", Json::array()}});
   const bool is_object = row.thing == Thing::kObject || row.thing == Thing::kHeldObject;
   SelectObject(editor, is_object ? row.item : ItemId());
-  if (const auto bar = BarOf(row.item, editor->session().project())) ChooseBar(editor, *bar);
+  if (const auto bar = BarOf(row, editor->session().project())) ChooseBar(editor, *bar);
 }
 
 }  // namespace
