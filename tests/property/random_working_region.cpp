@@ -64,9 +64,10 @@ class RegionMaker {
     if (made.has(Acting::kConstraints) && random_.Chance(0.6)) KeepKeyedStill();
     if (made.has(Acting::kDrives)) AddRandomDrives(&random_, &animation_);
     PoseAtStart();
-    if (made.has(Acting::kForces)) AddForces();
-    if (made.has(Acting::kContacts)) AddContacts();
-    if (made.has(Acting::kConstraints)) AddConstraints();
+    const bool moves = !MovedGroups().empty();  // limits may leave no hinge any room
+    if (moves && made.has(Acting::kForces)) AddForces();
+    if (moves && made.has(Acting::kContacts)) AddContacts();
+    if (moves && made.has(Acting::kConstraints)) AddConstraints();
     made.animation = animation_;
     return made;
   }
@@ -179,13 +180,16 @@ class RegionMaker {
     return false;
   }
 
-  // A joint whose body a region moves.
-  GroupIndex MovedGroup() {
+  // Those whose bodies a region moves.
+  std::vector<GroupIndex> MovedGroups() const {
     std::vector<GroupIndex> moved;
     for (int g = 0; g < static_cast<int>(figure_.groups().size()); ++g) {
       if (IsMoved(figure_.groups()[g].last())) moved.emplace_back(g);
     }
-    if (moved.empty()) return GroupIndex();
+    return moved;
+  }
+  GroupIndex MovedGroup() {
+    const std::vector<GroupIndex> moved = MovedGroups();
     return moved[random_.Integer(0, static_cast<int>(moved.size()) - 1)];
   }
 

@@ -272,6 +272,13 @@ TEST(WorkingRegion, LetsGoNextToAPole) {
   trials.Expect();
 }
 
+// Found among a thousand: a step that blew up had an error whose square was no number, and passed
+// for an exact one.
+TEST(WorkingRegion, TakesNoStepThatBlowsUp) {
+  const Trial trial = Try(RandomWorkingRegion(980000112).animation);
+  EXPECT_NE(trial.outcome, Outcome::kFailed) << trial.message;
+}
+
 // The rules of the solver's version hold for a region without contacts, too.
 TEST(WorkingRegion, LooksForNoReleaseNextToAPoleInVersionOne) {
   Animation animation = RandomWorkingRegion(940000431).animation;

@@ -208,9 +208,10 @@ class Dop853 {
 
   double Error(double h, const double* scale) {
     const double third = Worst(dop853::kE3, scale), fifth = Worst(dop853::kE5, scale);
-    if (!std::isfinite(fifth) || !std::isfinite(third)) return HUGE_VAL;
+    const double squares = fifth * fifth + 0.01 * third * third;
+    if (!std::isfinite(squares)) return HUGE_VAL;
     if (fifth < 1e-100) return 0.0;  // its square may be zero
-    return std::abs(h) * fifth * fifth / std::sqrt(fifth * fifth + 0.01 * third * third);
+    return std::abs(h) * fifth * fifth / std::sqrt(squares);
   }
 
   int n_ = 0, worst_ = 0;

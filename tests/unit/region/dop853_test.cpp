@@ -70,6 +70,22 @@ TEST(Dop853, WhatIsNotFiniteIsNoSmallError) {
   }
 }
 
+// A step that blows up, such as a stiff one that is far too long, has errors whose squares are no
+// numbers any more; one of the two formulas earlier than the other.
+TEST(Dop853, TakesNoHugeErrorForASmallOne) {
+  for (double exponent = 100.0; exponent < 308.0; exponent += 0.25) {
+    const double size = std::pow(10.0, exponent);
+    const auto field = [&](double t, const double* y, double* dy) {
+      std::copy_n(y, Smooth::kSize, dy);
+      dy[0] = size * std::pow(t, 7.0);
+    };
+    Dop853 step;
+    step.Resize(Smooth::kSize);
+    step.Start(0.0, Smooth::At(0.0).data(), field);
+    EXPECT_FALSE(step.Try(1.0, Smooth::kScale, field) <= 1.0) << size;
+  }
+}
+
 TEST(Dop853, ConvergesWithOrderEight) {
   EXPECT_NEAR(Order(GlobalError(8), GlobalError(16)), 8.0, 0.5);
   EXPECT_NEAR(Order(GlobalError(12), GlobalError(24)), 8.0, 0.5);
