@@ -27,7 +27,8 @@ struct SolverRules {
         sweeps_large_islands(version >= 2),
         keeps_balls_apart(version >= 2),
         opens_what_begins_to_pull(version >= 2),
-        looks_about_poles(version >= 2) {}
+        looks_about_poles(version >= 2),
+        stops_by_impulse(version >= 2) {}
 
   // Velocity of a figure that contacts place is kept where a region begins. Before: its placement
   // pinned the contacts, which stopped the figure. [METHOD 12.9]
@@ -79,6 +80,10 @@ struct SolverRules {
   // Releases are located about the poles of a ball joint with a hinge at its limit. Before: a pull
   // shorter than 1/16 of a step was missed. [METHOD 3.4]
   bool looks_about_poles;
+  // A hinge that an impact pushes off its limit, but not for long, is stopped by an impulse that
+  // the others feel. Before: it lost its speed, and the others kept theirs, or it kept on being
+  // pushed off. [METHOD 3.5]
+  bool stops_by_impulse;
 
   bool operator==(const SolverRules&) const = default;
 };
@@ -87,13 +92,14 @@ inline auto MembersOf(const SolverRules& rules) {
                parts_what_is_tied, keeps_touching_links_apart, lifts_plates_at_all_angles,
                feels_what_is_deep, slides_straight_beyond_stop, rests_without_gravity,
                locates_landings_exactly, pins_what_would_sink, sweeps_large_islands,
-               keeps_balls_apart, opens_what_begins_to_pull, looks_about_poles] = rules;
+               keeps_balls_apart, opens_what_begins_to_pull, looks_about_poles, stops_by_impulse] =
+      rules;
   return std::tie(keeps_speed_of_what_touches, is_causal, releases_at_keyed_speed,
                   stands_on_springs, parts_what_is_tied, keeps_touching_links_apart,
                   lifts_plates_at_all_angles, feels_what_is_deep, slides_straight_beyond_stop,
                   rests_without_gravity, locates_landings_exactly, pins_what_would_sink,
                   sweeps_large_islands, keeps_balls_apart, opens_what_begins_to_pull,
-                  looks_about_poles);
+                  looks_about_poles, stops_by_impulse);
 }
 
 }  // namespace hazumi

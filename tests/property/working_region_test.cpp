@@ -272,6 +272,16 @@ TEST(WorkingRegion, LetsGoNextToAPole) {
   trials.Expect();
 }
 
+// Found among a thousand: a hinge that an impact pushes off its limit and that is back at once. It
+// was stopped, but its limit's impulse on the others was left out; no estimate showed that.
+TEST(WorkingRegion, KeepsMomentumWhereHingesFallBack) {
+  for (const int seed : {940000439, 940000509, 940000746, 970000045}) {
+    const Trial trial = Try(RandomWorkingRegion(seed).animation);
+    EXPECT_EQ(trial.outcome, Outcome::kCompared) << "seed " << seed;
+    EXPECT_LT(trial.error, kTolerance) << "seed " << seed;
+  }
+}
+
 // Found among a thousand: a step that blew up had an error whose square was no number, and passed
 // for an exact one.
 TEST(WorkingRegion, TakesNoStepThatBlowsUp) {
@@ -293,11 +303,9 @@ TEST(WorkingRegion, LooksForNoReleaseNextToAPoleInVersionOne) {
 // Found among a thousand: finer steps do not help, or only show that what stays of the coarser ones
 // was off by more than they estimated.
 TEST(WorkingRegion, SaysWhereAnEstimateWasTooSmall) {
-  for (const int seed : {940000153, 940000439}) {
-    const Trial trial = Try(RandomWorkingRegion(seed).animation);
-    EXPECT_GT(trial.error, kTolerance) << "seed " << seed;
-    EXPECT_TRUE(trial.is_reported) << "seed " << seed;
-  }
+  const Trial trial = Try(RandomWorkingRegion(940000153).animation);
+  EXPECT_GT(trial.error, kTolerance);
+  EXPECT_TRUE(trial.is_reported);
 }
 
 // Found among a thousand: constraints and contacts that have no hold but for rounding, as limits

@@ -123,18 +123,36 @@ int ActiveLimits::FindSides(double t, bool with_impulse, const HingeState& state
   return moving;
 }
 
+// A hinge that an impact pushes off its limit, but not for long, is stopped by an impulse, too: the
+// others feel what the limit would give them until the hinge is back. [METHOD 3.5]
 void ActiveLimits::Collide(double t, HingeState* state, ImpactLog* log) {
-  if (dynamics_->mode().constraints.any() || is_touching_) {
-    CollideTied(t, state);
-  } else {
-    Strike(t, state);
+  const bool is_tied = dynamics_->mode().constraints.any() || is_touching_;
+  bool any_stops = true;
+  while (any_stops) {
+    is_tied ? CollideTied(t, state) : Strike(t, state);
+    if (stops_by_impulse()) state->pin_velocity.setZero();
+    any_stops = false;
+    for (int i = 0; i < static_cast<int>(side_.size()); ++i) {
+      if (!IsPushedOff(i, *state)) continue;
+      if (!FallsBack(t, i, *state)) {
+        side_[i] = 0;
+      } else if (stops_by_impulse() && !sticks_[i]) {
+        sticks_[i] = 1;
+        any_stops = true;
+      }
+    }
   }
   if (is_touching_) TellOfContacts(t, log);
-  const bool may_fall_back = dynamics_->is_pushed() && !dynamics_->is_large() && !is_touching_;
-  for (size_t i = 0; i < side_.size(); ++i) {
-    if (side_[i] * state->qd[i] >= -rest_rate()) continue;
-    if (!may_fall_back || !FallsBack(t, static_cast<int>(i), *state)) side_[i] = 0;  // pushed off
-  }
+}
+
+// Contacts' work is that of one impact.
+bool ActiveLimits::stops_by_impulse() const {
+  return dynamics_->mode().contacts.rules().stops_by_impulse && !is_touching_;
+}
+
+bool ActiveLimits::IsPushedOff(int hinge, const HingeState& state) const {
+  constexpr double kAtRest = 30.0 * kTouch;  // slower is no speed, sticky or not [rad/s]
+  return side_[hinge] * state.qd[hinge] < -(stops_by_impulse() ? kAtRest : rest_rate());
 }
 
 void ActiveLimits::TellOfContacts(double t, ImpactLog* log) const {
@@ -152,7 +170,9 @@ void ActiveLimits::TellOfContacts(double t, ImpactLog* log) const {
 bool ActiveLimits::FallsBack(double t, int hinge, const HingeState& state) {
   constexpr double kSlow = 0.01;  // [rad/s]
   const double rate = -side_[hinge] * state.qd[hinge];
-  if (rate > kSlow) return false;
+  const bool may_fall_back =
+      stops_by_impulse() || (dynamics_->is_pushed() && !dynamics_->is_large() && !is_touching_);
+  if (rate > rest_rate() && (rate > kSlow || !may_fall_back)) return false;
   HingeState at_rest = state;
   for (size_t i = 0; i < side_.size(); ++i) {
     if (side_[i] == 0) continue;
@@ -161,7 +181,7 @@ bool ActiveLimits::FallsBack(double t, int hinge, const HingeState& state) {
   }
   std::vector<char> held(side_.size());
   forces_.Rest(t, at_rest, side_, fixed_, &held);
-  if (!held[hinge]) return false;
+  if (!held[hinge] || rate <= rest_rate()) return held[hinge];
   held[hinge] = 0;
   forces_.Hold(t, at_rest, held);
   const double back = side_[hinge] * forces_.x()[hinge], height = 4.0 * touch_;

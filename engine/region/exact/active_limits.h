@@ -64,6 +64,8 @@ class ActiveLimits {
   void TellOfContacts(double t, ImpactLog* log) const;
   void CollideTied(double t, HingeState* state);
   void Strike(double t, HingeState* state);
+  bool stops_by_impulse() const;
+  bool IsPushedOff(int hinge, const HingeState& state) const;
   bool FallsBack(double t, int hinge, const HingeState& state);
   void Settle(double t, const HingeMoment* later, HingeState* state);
 
