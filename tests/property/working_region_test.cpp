@@ -282,6 +282,14 @@ TEST(WorkingRegion, KeepsMomentumWhereHingesFallBack) {
   }
 }
 
+// Found among a thousand: a foot that lands is pinned, and a contact straight below its pin may
+// push with anything. With enough of it friction stopped the foot, or did not, as rounding had it.
+TEST(WorkingRegion, HasNoFrictionStraightBelowAPin) {
+  const Trial trial = Try(RandomWorkingRegion(980000057).animation);
+  EXPECT_EQ(trial.outcome, Outcome::kCompared);
+  EXPECT_LT(trial.error, kTolerance);
+}
+
 // Found among a thousand: a step that blew up had an error whose square was no number, and passed
 // for an exact one.
 TEST(WorkingRegion, TakesNoStepThatBlowsUp) {

@@ -2,6 +2,8 @@
 // limit, all of them are
 //   w = A l + (J x_0 + c),   A = J M^-1 P^T + G,   M x_0 = -b
 // for accelerations; the same for rates, with x their jump and c the velocities before.
+// Where a pin holds the point of a contact, so that J M^-1 J^T + G is 0 for its normal, any push
+// would do, and any friction: there is neither. [METHOD 12.3]
 
 #include "engine/region/exact/contact_problem.h"
 
@@ -13,6 +15,13 @@
 namespace hazumi {
 
 using Kind = ConeProblem::Kind;
+
+namespace {
+
+// Of the largest response of all rows: less is rounding.
+constexpr double kNoAnswer = 1e-20;
+
+}  // namespace
 
 void ContactProblem::Factor(const MatX& M) {
   HAZUMI_ASSERT(IsSymmetric(M));
@@ -107,6 +116,9 @@ void ContactProblem::SetUp(const std::vector<int>& side, const std::vector<char>
   } else {
     cones_.A = ProductOf(half_answer_, half_answer_);
   }
+  VecX answers = (rows.P.size() > 0 ? J : half_answer_).colwise().squaredNorm();
+  answers.head(own) += rows.G.diagonal().cwiseAbs();
+  const double least_answer = kNoAnswer * (count > 0 ? answers.maxCoeff() : 0.0);
   cones_.A.topLeftCorner(own, own) += rows.G;
   cones_.blocks.clear();
   const std::vector<ConstraintRow>& all = dynamics_->rows().rows();
@@ -117,7 +129,9 @@ void ContactProblem::SetUp(const std::vector<int>& side, const std::vector<char>
       continue;
     }
     const bool sticks_there = contacts.pairs()[all[k].contact].mode == ContactMode::kStick;
-    const double friction = contacts.FrictionOf(all[k].contact);
+    const bool is_pinned = contacts.rules().no_friction_at_pins && answers[k] <= least_answer;
+    const double friction = is_pinned ? 0.0 : contacts.FrictionOf(all[k].contact);
+    if (is_pinned) cones_.b[k] = 0.0;
     cones_.blocks.push_back({sticks_there ? Kind::kContact : Kind::kPush, k, friction});
     if (sticks_there) k += 2;
   }
