@@ -28,6 +28,9 @@ const Tolerances& TolerancesOf(const SolverRules& rules) {
 constexpr int kMostLandings = 4;
 constexpr double kChatterWindow = 1.0 / 30.0;  // [s]
 
+// Within a shorter stretch the pin's force is rounding: Lift is a difference of velocities [s].
+constexpr double kTellsForce = 1e-8;
+
 // A point that rounding alone moves does not sink [m/s].
 constexpr double kNoSpeed = 1e-9;
 // A point that touches but sinks no faster than kHeldSpeed [m/s] has not landed: a contact of a
@@ -168,8 +171,10 @@ std::optional<GravityEvent> ContinuousGravity::FindTakeOff(double t0, double t1,
                                                            DynamicsWorkspace* ws) const {
   constexpr int kLooks = 4;
   const double instant = TolerancesOf(rules_).instant;
+  const bool tells_force = t1 - t0 >= kTellsForce || !rules_.tells_pulls_from_rounding;
   // Positive where the figure takes off.
   const auto lift = [&](double t) {
+    if (!tells_force) return 0.0;
     const double pull = Lift(t, t0, t1, pose, ws);
     if (pull <= 0.0 || !rules_.pins_what_would_sink) return pull;
     return std::min(pull, Rise(t, pose, ws) + kNoSpeed);

@@ -290,6 +290,15 @@ TEST(WorkingRegion, HasNoFrictionStraightBelowAPin) {
   EXPECT_LT(trial.error, kTolerance);
 }
 
+// Found among a thousand: between two events 2e-12 s apart the force of a pin is rounding, for
+// which a figure took off.
+TEST(WorkingRegion, StandsBetweenTwoEvents) {
+  const Trial trial = Try(RandomWorkingRegion(980000747).animation);
+  EXPECT_EQ(trial.outcome, Outcome::kCompared);
+  EXPECT_LT(trial.error, kTolerance);
+  EXPECT_LT(trial.apart, kTolerance);
+}
+
 // Found among a thousand: a step that blew up had an error whose square was no number, and passed
 // for an exact one.
 TEST(WorkingRegion, TakesNoStepThatBlowsUp) {
