@@ -90,7 +90,6 @@ void ActiveLimits::Resolve(double t, const HingeMoment* later, HingeState* state
       std::any_of(side_.begin(), side_.end(), [](int side) { return side != 0; });
   dynamics_->mode().least_compliance = is_blocked ? RegionMode::kBlocked : 0.0;
   if (with_impulse || moving > 0) Collide(t, state, log);
-  state->pin_velocity.setZero();
   Settle(t, later, state);
 }
 
@@ -130,7 +129,7 @@ void ActiveLimits::Collide(double t, HingeState* state, ImpactLog* log) {
   bool any_stops = true;
   while (any_stops) {
     is_tied ? CollideTied(t, state) : Strike(t, state);
-    if (stops_by_impulse()) state->pin_velocity.setZero();
+    state->pin_velocity.setZero();
     any_stops = false;
     for (int i = 0; i < static_cast<int>(side_.size()); ++i) {
       if (!IsPushedOff(i, *state)) continue;
