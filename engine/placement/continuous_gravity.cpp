@@ -171,7 +171,7 @@ std::optional<GravityEvent> ContinuousGravity::FindTakeOff(double t0, double t1,
                                                            DynamicsWorkspace* ws) const {
   constexpr int kLooks = 4;
   const double instant = TolerancesOf(rules_).instant;
-  const bool tells_force = t1 - t0 >= kTellsForce || !rules_.tells_pulls_from_rounding;
+  const bool tells_force = t1 - t0 >= kTellsForce || !rules_.tells_motion_from_rounding;
   // Positive where the figure takes off.
   const auto lift = [&](double t) {
     if (!tells_force) return 0.0;

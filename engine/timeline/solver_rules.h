@@ -30,7 +30,7 @@ struct SolverRules {
         looks_about_poles(version >= 2),
         stops_by_impulse(version >= 2),
         no_friction_at_pins(version >= 2),
-        tells_pulls_from_rounding(version >= 2) {}
+        tells_motion_from_rounding(version >= 2) {}
 
   // Velocity of a figure that contacts place is kept where a region begins. Before: its placement
   // pinned the contacts, which stopped the figure. [METHOD 12.9]
@@ -89,9 +89,10 @@ struct SolverRules {
   // A contact whose point a pin holds, so that nothing changes its velocity along the normal, does
   // not push and has no friction. Before: a push of any size, with its friction. [METHOD 12.3]
   bool no_friction_at_pins;
-  // A step of a few nanoseconds, in which the force of a pin is rounding, is no reason to take off.
-  // Before: it could be. [METHOD 5.5]
-  bool tells_pulls_from_rounding;
+  // Rounding is no motion: neither the force of a pin in a step of a few nanoseconds, for which a
+  // figure took off before, nor the rate of a hinge that constraints hold, by which limits went
+  // round in circles. [METHOD 5.5, 3.3]
+  bool tells_motion_from_rounding;
 
   bool operator==(const SolverRules&) const = default;
 };
@@ -101,14 +102,14 @@ inline auto MembersOf(const SolverRules& rules) {
                feels_what_is_deep, slides_straight_beyond_stop, rests_without_gravity,
                locates_landings_exactly, pins_what_would_sink, sweeps_large_islands,
                keeps_balls_apart, opens_what_begins_to_pull, looks_about_poles, stops_by_impulse,
-               no_friction_at_pins, tells_pulls_from_rounding] = rules;
+               no_friction_at_pins, tells_motion_from_rounding] = rules;
   return std::tie(keeps_speed_of_what_touches, is_causal, releases_at_keyed_speed,
                   stands_on_springs, parts_what_is_tied, keeps_touching_links_apart,
                   lifts_plates_at_all_angles, feels_what_is_deep, slides_straight_beyond_stop,
                   rests_without_gravity, locates_landings_exactly, pins_what_would_sink,
                   sweeps_large_islands, keeps_balls_apart, opens_what_begins_to_pull,
                   looks_about_poles, stops_by_impulse, no_friction_at_pins,
-                  tells_pulls_from_rounding);
+                  tells_motion_from_rounding);
 }
 
 }  // namespace hazumi

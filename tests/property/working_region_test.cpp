@@ -306,6 +306,14 @@ TEST(WorkingRegion, TakesNoStepThatBlowsUp) {
   EXPECT_NE(trial.outcome, Outcome::kFailed) << trial.message;
 }
 
+// Found among a thousand: a hinge that a constraint holds at its limit moves by rounding, by which
+// the search for what limits hold went round in circles and took what it had got to.
+TEST(WorkingRegion, IsNotLedRoundInCirclesByAHingeThatAConstraintHolds) {
+  const Trial trial = Try(RandomWorkingRegion(981000299).animation);
+  EXPECT_EQ(trial.outcome, Outcome::kCompared);
+  EXPECT_LT(trial.error, kTolerance);
+}
+
 // The rules of the solver's version hold for a region without contacts, too.
 TEST(WorkingRegion, LooksForNoReleaseNextToAPoleInVersionOne) {
   Animation animation = RandomWorkingRegion(940000431).animation;

@@ -6,7 +6,8 @@
 
 namespace hazumi {
 
-LimitForces::LimitForces(RegionDynamics* dynamics) : dynamics_(dynamics) {
+LimitForces::LimitForces(RegionDynamics* dynamics)
+    : dynamics_(dynamics), solver_(dynamics->mode().contacts.rules().tells_motion_from_rounding) {
   const int n = dynamics->num_hinges();
   solver_.Resize(n);
   impulse_.setZero(n);

@@ -85,11 +85,12 @@ void LimitSolver::Solve(const MatX& M, const VecX& b, const std::vector<char>& h
 }
 
 // The first hinge at a limit that is held but would have to be pulled, or is not held and goes out.
-int LimitSolver::FirstWrong(const std::vector<int>& side, const VecX& reached,
+int LimitSolver::FirstWrong(const std::vector<int>& side, const VecX& reached, double fastest,
                             const std::vector<char>& fixed, const std::vector<char>& held) const {
   constexpr double kRounding = 1e-12;
   const double scale_T = T_.lpNorm<Eigen::Infinity>();
-  const double scale_x = reached.lpNorm<Eigen::Infinity>();
+  double scale_x = reached.lpNorm<Eigen::Infinity>();
+  if (tells_motion_from_rounding_) scale_x = std::max(scale_x, fastest);
   for (int i = 0; i < static_cast<int>(side.size()); ++i) {
     if (side[i] == 0 || fixed[i]) continue;
     if (held[i] ? side[i] * T_[i] > kRounding * std::max(scale_T, size_[i])
@@ -108,12 +109,13 @@ void LimitSolver::Impact(const MatX& M, const VecX& impulse, const std::vector<i
   const int n = static_cast<int>(v->size());
   against_ = -impulse;
   given_ = -*v;
+  const double fastest = v->lpNorm<Eigen::Infinity>();
   for (int i = 0; i < n; ++i) held_[i] = side[i] != 0 && (sticks[i] || side[i] * (*v)[i] >= 0.0);
   for (int pivots = 0; pivots < 64 * (n + 1); ++pivots) {
     SolveMixed(M, against_, given_, held_, rows);
     // A hinge that is not held takes what the others give it.
     reached_ = *v + x_;
-    const int wrong = FirstWrong(side, reached_, sticks, held_);
+    const int wrong = FirstWrong(side, reached_, fastest, sticks, held_);
     if (wrong < 0) break;
     held_[wrong] = !held_[wrong];
   }
@@ -127,10 +129,11 @@ void LimitSolver::Rest(const MatX& M, const VecX& b, const std::vector<int>& sid
   HAZUMI_ASSERT(side.size() == static_cast<size_t>(b.size()) && fixed.size() == side.size());
   HAZUMI_ASSERT(held->size() == side.size() && IsFinite(b));
   const int n = static_cast<int>(b.size());
+  const double fastest = b.cwiseQuotient(M.diagonal()).lpNorm<Eigen::Infinity>();
   for (int i = 0; i < n; ++i) (*held)[i] = side[i] != 0;
   for (int pivots = 0; pivots < 64 * (n + 1); ++pivots) {
     SolveMixed(M, b, zero_, *held, rows);
-    const int wrong = FirstWrong(side, x_, fixed, *held);
+    const int wrong = FirstWrong(side, x_, fastest, fixed, *held);
     if (wrong < 0) break;
     (*held)[wrong] = !(*held)[wrong];
   }

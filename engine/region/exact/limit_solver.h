@@ -18,6 +18,9 @@ namespace hazumi {
 // for the first one.
 class LimitSolver {
  public:
+  // `tells_motion_from_rounding`: as of SolverRules.
+  explicit LimitSolver(bool tells_motion_from_rounding = true)
+      : tells_motion_from_rounding_(tells_motion_from_rounding) {}
   void Resize(int size);
 
   // An inelastic impact of everything that is at a limit, with an impulse from elsewhere [N m s]:
@@ -48,9 +51,11 @@ class LimitSolver {
   void SolveMixed(const MatX& M, const VecX& b, const VecX& given, const std::vector<char>& held,
                   const LimitRows* rows);
   void KeepRows(const LimitRows& rows, const VecX& given, const std::vector<char>& held);
-  int FirstWrong(const std::vector<int>& side, const VecX& reached, const std::vector<char>& fixed,
-                 const std::vector<char>& held) const;
+  // `fastest`: of what moves [rad/s] or [rad/s^2].
+  int FirstWrong(const std::vector<int>& side, const VecX& reached, double fastest,
+                 const std::vector<char>& fixed, const std::vector<char>& held) const;
 
+  bool tells_motion_from_rounding_;
   MatX A_;
   VecX size_;  // of the terms that T_ is the sum of
   VecX l_;

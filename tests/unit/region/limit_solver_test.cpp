@@ -92,6 +92,32 @@ TEST(LimitSolver, NeverAddsEnergyWithoutABlow) {
   EXPECT_GT(lost, kProblems / 2);
 }
 
+// What a row holds as well moves by rounding alone: the others go on as if it were no hinge.
+TEST(LimitSolver, IsNotLedRoundInCirclesByAHingeThatARowHolds) {
+  for (int seed = 0; seed < kProblems; ++seed) {
+    const int n = 2 + seed % 4;
+    Problem problem(static_cast<uint64_t>(seed), n, n);
+    problem.v[0] = problem.random.Uniform(-1e-16, 1e-16);
+    for (int& side : problem.side) side = problem.random.Chance(0.5) ? 1 : -1;
+    LimitRows row;
+    row.J.setZero(1, n);
+    row.J(0, 0) = problem.random.LogUniform(0.1, 10.0);
+    row.G.setZero(1, 1);
+    row.c = row.J * problem.v;
+    VecX after = problem.v;
+    problem.solver.Impact(problem.M, VecX::Zero(n), problem.side, problem.None(), &after, &row);
+
+    LimitSolver others;
+    others.Resize(n - 1);
+    VecX expected = problem.v.tail(n - 1);
+    const std::vector<int> sides(problem.side.begin() + 1, problem.side.end());
+    others.Impact(problem.M.bottomRightCorner(n - 1, n - 1), VecX::Zero(n - 1), sides,
+                  std::vector<char>(sides.size(), 0), &expected);
+    EXPECT_NEAR(after[0], 0.0, 1e-12) << "seed " << seed;
+    EXPECT_LE((after.tail(n - 1) - expected).norm(), 1e-9 * problem.v.norm()) << "seed " << seed;
+  }
+}
+
 TEST(LimitSolver, LeavesWhatMovesInwardsAlone) {
   for (int seed = 0; seed < kProblems; ++seed) {
     Problem problem = AnyProblem(seed);
