@@ -10,8 +10,10 @@ namespace hazumi {
 namespace {
 
 constexpr double kLeastStep = 1e-12;  // [s]
-constexpr double kSafety = 0.9;       // of steps, so that few are rejected
-constexpr double kMostGap = 1e-7;     // of what constraints keep together [m, rad]
+// Steps of a motion at rest would grow for ever [s].
+constexpr double kMostStep = 1e9;
+constexpr double kSafety = 0.9;    // of steps, so that few are rejected
+constexpr double kMostGap = 1e-7;  // of what constraints keep together [m, rad]
 
 }  // namespace
 
@@ -93,7 +95,7 @@ std::optional<ExactFailure> ExactStep::Take(double end, bool is_near) {
   is_closed_ = false;
   start_ = now_;
   const double wanted = is_near ? end - time_ : next_h_ > 0.0 ? next_h_ : FirstStep(end);
-  double h = std::min(longest_step_, wanted);
+  double h = std::min({longest_step_, kMostStep, wanted});
   for (;;) {
     const double rest = end - time_;
     // Equal steps to the end rather than a tiny last one.
