@@ -131,10 +131,12 @@ void ActiveLimits::Collide(double t, HingeState* state, ImpactLog* log) {
     is_tied ? CollideTied(t, state) : Strike(t, state);
     state->pin_velocity.setZero();
     any_stops = false;
+    std::optional<AtRest> at_rest;  // with these sides
     for (int i = 0; i < static_cast<int>(side_.size()); ++i) {
       if (!IsPushedOff(i, *state)) continue;
-      if (!FallsBack(t, i, *state)) {
+      if (!FallsBack(t, i, *state, &at_rest)) {
         side_[i] = 0;
+        at_rest.reset();
       } else if (stops_by_impulse() && !sticks_[i]) {
         sticks_[i] = 1;
         any_stops = true;
@@ -166,25 +168,31 @@ void ActiveLimits::TellOfContacts(double t, ImpactLog* log) const {
 // Whether a hinge that an impact pushes off its limit is back before it is further away than counts
 // as at it. Where two hinges push each other off in turn their hits come faster and faster and end
 // at once; each hit is found as late as that, which would keep them going.
-bool ActiveLimits::FallsBack(double t, int hinge, const HingeState& state) {
+bool ActiveLimits::FallsBack(double t, int hinge, const HingeState& state,
+                             std::optional<AtRest>* at_rest) {
   constexpr double kSlow = 0.01;  // [rad/s]
   const double rate = -side_[hinge] * state.qd[hinge];
   const bool may_fall_back =
       stops_by_impulse() || (dynamics_->is_pushed() && !dynamics_->is_large() && !is_touching_);
   if (rate > rest_rate() && (rate > kSlow || !may_fall_back)) return false;
-  HingeState at_rest = state;
-  for (size_t i = 0; i < side_.size(); ++i) {
-    if (side_[i] == 0) continue;
-    at_rest.qd[i] = 0.0;
-    at_rest.q[i] = limits_->limit(static_cast<int>(i), side_[i]);
-  }
-  std::vector<char> held(side_.size());
-  forces_.Rest(t, at_rest, side_, fixed_, &held);
-  if (!held[hinge] || rate <= rest_rate()) return held[hinge];
+  if (!*at_rest) *at_rest = RestAtLimits(t, state);
+  if (!(*at_rest)->held[hinge] || rate <= rest_rate()) return (*at_rest)->held[hinge];
+  std::vector<char> held = (*at_rest)->held;
   held[hinge] = 0;
-  forces_.Hold(t, at_rest, held);
+  forces_.Hold(t, (*at_rest)->state, held);
   const double back = side_[hinge] * forces_.x()[hinge], height = 4.0 * touch_;
   return rate * rate <= 2.0 * back * height;
+}
+
+ActiveLimits::AtRest ActiveLimits::RestAtLimits(double t, const HingeState& state) {
+  AtRest rest = {state, std::vector<char>(side_.size())};
+  for (size_t i = 0; i < side_.size(); ++i) {
+    if (side_[i] == 0) continue;
+    rest.state.qd[i] = 0.0;
+    rest.state.q[i] = limits_->limit(static_cast<int>(i), side_[i]);
+  }
+  forces_.Rest(t, rest.state, side_, fixed_, &rest.held);
+  return rest;
 }
 
 void ActiveLimits::Strike(double t, HingeState* state) {

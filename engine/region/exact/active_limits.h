@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "engine/region/exact/contact_forces.h"
@@ -66,7 +67,13 @@ class ActiveLimits {
   void Strike(double t, HingeState* state);
   bool stops_by_impulse() const;
   bool IsPushedOff(int hinge, const HingeState& state) const;
-  bool FallsBack(double t, int hinge, const HingeState& state);
+  // All that is at a limit, brought to rest there, and which of it limits would hold.
+  struct AtRest {
+    HingeState state;
+    std::vector<char> held;
+  };
+  AtRest RestAtLimits(double t, const HingeState& state);
+  bool FallsBack(double t, int hinge, const HingeState& state, std::optional<AtRest>* at_rest);
   void Settle(double t, const HingeMoment* later, HingeState* state);
 
   RegionDynamics* dynamics_;
