@@ -20,13 +20,19 @@ std::string DetailsOf(const Project& project, const BarRef& bar) {
   return TypeOf(bar.kind).Details(project, bar.index);
 }
 
-std::optional<BarRef> ChosenBar(const Project& project, const SheetState& sheet) {
-  if (!sheet.bar || !sheet.bar->id.is_valid()) return std::nullopt;
-  const BarType& type = TypeOf(sheet.bar->kind);
-  for (int i = 0; i < type.Num(project); ++i) {
-    if (type.Id(project, i) == sheet.bar->id) return BarRef{type.kind, i};
+std::optional<BarRef> FindBar(const Project& project, const BarId& bar) {
+  for (const BarType* type : AllBarTypes()) {
+    if (type->kind != bar.kind) continue;
+    for (int i = 0; i < type->Num(project); ++i) {
+      if (type->Id(project, i) == bar.id) return BarRef{type->kind, i};
+    }
   }
   return std::nullopt;
+}
+
+std::optional<BarRef> ChosenBar(const Project& project, const SheetState& sheet) {
+  if (!sheet.bar || !sheet.bar->id.is_valid()) return std::nullopt;
+  return FindBar(project, *sheet.bar);
 }
 
 BarId IdOf(const Project& project, const BarRef& bar) {

@@ -16,6 +16,8 @@ std::string TitleOf(const Project& project, const BarRef& bar);
 // Sentences that the bar has no room for; empty: none.
 std::string DetailsOf(const Project& project, const BarRef& bar);
 
+// None: what it stands for is not there, or its kind has no bars.
+std::optional<BarRef> FindBar(const Project& project, const BarId& bar);
 // The bar that was clicked last, if what it stands for is still there.
 std::optional<BarRef> ChosenBar(const Project& project, const SheetState& sheet);
 BarId IdOf(const Project& project, const BarRef& bar);

@@ -39,23 +39,13 @@ void Switch(Editor* editor, const char* id, const OutlinerRow& row,
   editor->Do(id, {{"joints", {row.name}}, {"on", !is_on}});
 }
 
-// The bar of an item, if its kind has one.
-std::optional<BarRef> BarOf(const OutlinerRow& row, const Project& project) {
-  for (const BarType* type : AllBarTypes()) {
-    if (type->kind != row.thing) continue;
-    for (int i = 0; i < type->Num(project); ++i) {
-      if (type->Id(project, i) == row.item) return BarRef{type->kind, i};
-    }
-  }
-  return std::nullopt;
-}
-
 // An item that is not an object is shown by its bar, and among the scene's properties.
 void ChooseItem(Editor* editor, const OutlinerRow& row) {
   editor->Do("select.joints", {{"joints", Json::array()}});
   const bool is_object = row.thing == Thing::kObject || row.thing == Thing::kHeldObject;
   SelectObject(editor, is_object ? row.item : ItemId());
-  if (const auto bar = BarOf(row, editor->session().project())) ChooseBar(editor, *bar);
+  const Project& project = editor->session().project();
+  if (const auto bar = FindBar(project, {row.thing, row.item})) ChooseBar(editor, *bar);
 }
 
 }  // namespace
