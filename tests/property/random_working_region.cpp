@@ -180,7 +180,7 @@ class RegionMaker {
     return false;
   }
 
-  // Those whose bodies a region moves.
+  // Groups whose bodies a region moves.
   std::vector<GroupIndex> MovedGroups() const {
     std::vector<GroupIndex> moved;
     for (int g = 0; g < static_cast<int>(figure_.groups().size()); ++g) {
