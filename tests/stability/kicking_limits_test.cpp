@@ -139,7 +139,7 @@ TEST(Exact, TellsOfLimitsThatArePressedInTurnByTheirNumberAndTime) {
   }
 }
 
-// What each hit pushes off a limit would be back within 4e-10 rad: it stays there.
+// Hinges that a hit pushes off a limit, and that would be back within 4e-10 rad, stay there.
 TEST(Exact, RestsAtOnceOnLimitsThatArePressedInTurn) {
   const Result<Motion> motion = Bake(PressedInTurn());
   ASSERT_TRUE(motion.ok()) << motion.error().ToString();

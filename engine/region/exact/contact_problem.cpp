@@ -2,8 +2,8 @@
 // limit, all of them are
 //   w = A l + (J x_0 + c),   A = J M^-1 P^T + G,   M x_0 = -b
 // for accelerations; the same for rates, with x their jump and c the velocities before.
-// Where a pin holds the point of a contact, so that J M^-1 J^T + G is 0 for its normal, any push
-// would do, and any friction: there is neither. [METHOD 12.3]
+// Contacts whose point a pin holds (J M^-1 J^T + G = 0 for the normal) neither push nor rub, since
+// forces of any size would do. [METHOD 12.3]
 
 #include "engine/region/exact/contact_problem.h"
 
@@ -18,7 +18,7 @@ using Kind = ConeProblem::Kind;
 
 namespace {
 
-// Of the largest response of all rows: less is rounding.
+// Share of the largest response of all rows, below which a response is rounding.
 constexpr double kNoAnswer = 1e-20;
 
 }  // namespace

@@ -92,7 +92,7 @@ TEST(LimitSolver, NeverAddsEnergyWithoutABlow) {
   EXPECT_GT(lost, kProblems / 2);
 }
 
-// What a row holds as well moves by rounding alone: the others go on as if it were no hinge.
+// A hinge that a row holds moves by rounding alone. The others move as if it were none.
 TEST(LimitSolver, IsNotLedRoundInCirclesByAHingeThatARowHolds) {
   for (int seed = 0; seed < kProblems; ++seed) {
     const int n = 2 + seed % 4;
