@@ -19,6 +19,9 @@ struct DenseKernels {
   void (*subtract_three)(const double* F, long stride, const double* abc, long n, double* y);
   void (*subtract_three_rounded)(const double* F, long stride, const double* abc, long n,
                                  double* y);
+  // y += J abc - F def, of n x 3 and three numbers each.
+  void (*add_threes)(const double* J, const double* F, long stride, const double* abc,
+                     const double* def, long n, double* y);
 };
 
 DenseKernels BaselineDenseKernels();

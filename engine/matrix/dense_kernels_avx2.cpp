@@ -11,7 +11,8 @@ namespace {
 }  // namespace
 
 DenseKernels Avx2DenseKernels() {
-  return {Factor, SolveGeneral, SolveLowerColumns, Product, SubtractThree, SubtractThreeRounded};
+  return {Factor,        SolveGeneral,         SolveLowerColumns, Product,
+          SubtractThree, SubtractThreeRounded, AddThrees};
 }
 
 }  // namespace hazumi

@@ -10,7 +10,8 @@ namespace {
 }  // namespace
 
 DenseKernels BaselineDenseKernels() {
-  return {Factor, SolveGeneral, SolveLowerColumns, Product, SubtractThree, SubtractThreeRounded};
+  return {Factor,        SolveGeneral,         SolveLowerColumns, Product,
+          SubtractThree, SubtractThreeRounded, AddThrees};
 }
 
 const DenseKernels& BestDenseKernels() {

@@ -195,6 +195,23 @@ void SubtractThreeRounded(const double* F, long stride, const double* abc, long 
   }
 }
 
+// y += (a j_0 + b j_1 + c j_2) - (d f_0 + e f_1 + f f_2), j_i and f_i the columns of J and F.
+void AddThrees(const double* J, const double* F, long stride, const double* abc, const double* def,
+               long n, double* y) {
+  const double a = abc[0], b = abc[1], c = abc[2], d = def[0], e = def[1], f = def[2];
+  const double *j0 = J, *j1 = J + stride, *j2 = J + 2 * stride;
+  const double *f0 = F, *f1 = F + stride, *f2 = F + 2 * stride;
+  long i = 0;
+  for (; i + 4 <= n; i += 4) {
+    const Four of_J = (FourAt(j0 + i).v * a + FourAt(j1 + i).v * b) + FourAt(j2 + i).v * c;
+    const Four of_F = (FourAt(f0 + i).v * d + FourAt(f1 + i).v * e) + FourAt(f2 + i).v * f;
+    FourAt(y + i).v += of_J - of_F;
+  }
+  for (; i < n; ++i) {
+    y[i] += ((j0[i] * a + j1[i] * b) + j2[i] * c) - ((f0[i] * d + f1[i] * e) + f2[i] * f);
+  }
+}
+
 inline double SumOf(const Four& x) { return (x[0] + x[2]) + (x[1] + x[3]); }
 
 inline double Dot(const double* x, const double* y, long n) {

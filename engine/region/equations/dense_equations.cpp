@@ -123,11 +123,13 @@ void DenseEquations::EliminatePin(const RegionLayout& layout,
       J_.col(where.dof + k) = Cross(motion[i].axis[k], p_pin - motion[i].p).eigen();
     }
   }
+  const DenseKernels& kernels = BestDenseKernels();
+  F_across_ = F_.transpose();
+  J_across_ = J_.transpose();
   for (int j = 0; j < layout.num_dofs(); ++j) {
     const Vec3 push = mass_ * J_.col(j) - F_.col(j);
-    for (int i = 0; i < layout.num_dofs(); ++i) {
-      equations_.M(i, j) += J_.col(i).dot(push) - F_.col(i).dot(J_.col(j));
-    }
+    kernels.add_threes(J_across_.data(), F_across_.data(), F_across_.rows(), push.data(), &J_(0, j),
+                       layout.num_dofs(), &equations_.M(0, j));
     equations_.b[j] -= J_.col(j).dot(f_root);
   }
 }

@@ -67,7 +67,7 @@ class DenseEquations {
   IslandEquations equations_;
   MatX L_;
   Eigen::Matrix3Xd F_, J_;  // force on the root and motion of the pin for unit accelerations
-  Eigen::MatrixX3d F_across_;
+  Eigen::MatrixX3d F_across_, J_across_;
 };
 
 }  // namespace hazumi

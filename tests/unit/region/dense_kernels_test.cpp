@@ -52,6 +52,11 @@ std::vector<double> Results(const DenseKernels& kernels, Eigen::Index n, Eigen::
   EXPECT_LT((y - (y_before - three * abc)).norm(), 1e-14) << n;
   kernels.subtract_three_rounded(three.data(), n, abc.data(), n, rounded.data());
   EXPECT_TRUE(rounded.isZero(0.0)) << n;
+  const MatX other = RandomMatrix(n, 3, &random);
+  const Vec3 def(-0.4, 0.1, 0.6);
+  VecX both = y_before;
+  kernels.add_threes(three.data(), other.data(), n, abc.data(), def.data(), n, both.data());
+  EXPECT_LT((both - (y_before + three * abc - other * def)).norm(), 1e-14) << n;
   MatX general = RandomMatrix(n, n, &random);
   const MatX general_before = general;
   VecX solution = y;
@@ -59,7 +64,7 @@ std::vector<double> Results(const DenseKernels& kernels, Eigen::Index n, Eigen::
   kernels.solve_general(general.data(), n, n, exchanged.data(), solution.data());
   EXPECT_LT((general_before * solution - y).norm(), 1e-12 * (1.0 + n * solution.norm())) << n;
   std::vector<double> all;
-  for (const MatX& of : {lower, X, product, square, MatX(y), MatX(solution)}) {
+  for (const MatX& of : {lower, X, product, square, MatX(y), MatX(both), MatX(solution)}) {
     all.insert(all.end(), of.data(), of.data() + of.size());
   }
   return all;
