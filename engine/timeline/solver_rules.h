@@ -30,7 +30,8 @@ struct SolverRules {
         looks_about_poles(version >= 2),
         stops_by_impulse(version >= 2),
         no_friction_at_pins(version >= 2),
-        tells_motion_from_rounding(version >= 2) {}
+        tells_motion_from_rounding(version >= 2),
+        sticks_by_hinge(version >= 2) {}
 
   // Velocity of a figure that contacts place is kept where a region begins. Before: its placement
   // pinned the contacts, which stopped the figure. [METHOD 12.9]
@@ -93,6 +94,10 @@ struct SolverRules {
   // figure took off before, nor the rate of a hinge that constraints hold, by which limits went
   // round in circles. [METHOD 5.5, 3.3]
   bool tells_motion_from_rounding;
+  // The limits of a hinge become sticky when that hinge comes to them again and again. Before: the
+  // limits of all hinges did when there were many events, which stopped hinges that were only
+  // passing. [METHOD 3.5]
+  bool sticks_by_hinge;
 
   bool operator==(const SolverRules&) const = default;
 };
@@ -102,14 +107,14 @@ inline auto MembersOf(const SolverRules& rules) {
                feels_what_is_deep, slides_straight_beyond_stop, rests_without_gravity,
                locates_landings_exactly, pins_what_would_sink, sweeps_large_islands,
                keeps_balls_apart, opens_what_begins_to_pull, looks_about_poles, stops_by_impulse,
-               no_friction_at_pins, tells_motion_from_rounding] = rules;
+               no_friction_at_pins, tells_motion_from_rounding, sticks_by_hinge] = rules;
   return std::tie(keeps_speed_of_what_touches, is_causal, releases_at_keyed_speed,
                   stands_on_springs, parts_what_is_tied, keeps_touching_links_apart,
                   lifts_plates_at_all_angles, feels_what_is_deep, slides_straight_beyond_stop,
                   rests_without_gravity, locates_landings_exactly, pins_what_would_sink,
                   sweeps_large_islands, keeps_balls_apart, opens_what_begins_to_pull,
                   looks_about_poles, stops_by_impulse, no_friction_at_pins,
-                  tells_motion_from_rounding);
+                  tells_motion_from_rounding, sticks_by_hinge);
 }
 
 }  // namespace hazumi

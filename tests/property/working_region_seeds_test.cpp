@@ -40,6 +40,11 @@ TEST(WorkingRegion, KeepsMomentumWhereHingesFallBack) {
   for (const int seed : {940000439, 940000509, 940000746, 970000045}) ExpectClose(seed);
 }
 
+// Some thirty hinges that meet their limits one after the other, in less than 1/30 s.
+TEST(WorkingRegion, DoesNotStopHingesThatOnlyPassTheirLimits) {
+  for (const int seed : {980000685, 982000032, 982000150}) ExpectClose(seed);
+}
+
 // A foot that landed and is pinned: a contact straight below its pin might push with anything, and
 // stop the foot by friction.
 TEST(WorkingRegion, HasNoFrictionStraightBelowAPin) { ExpectClose(980000057); }

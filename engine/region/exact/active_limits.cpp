@@ -8,8 +8,6 @@ namespace hazumi {
 
 namespace {
 
-constexpr double kChatterWindow = 1.0 / 30.0;  // [s]
-constexpr int kChatter = 24;                   // events in the window before limits become sticky
 // Of contacts: how near is touching, how slow at rest.
 constexpr double kTouchGap = 1e-8;   // [m]
 constexpr double kRestSpeed = 1e-6;  // [m/s]
@@ -17,31 +15,21 @@ constexpr double kRestSpeed = 1e-6;  // [m/s]
 }  // namespace
 
 ActiveLimits::ActiveLimits(RegionDynamics* dynamics, const LimitRange* limits)
-    : dynamics_(dynamics), limits_(limits), forces_(dynamics), contact_forces_(dynamics) {
+    : dynamics_(dynamics),
+      limits_(limits),
+      forces_(dynamics),
+      contact_forces_(dynamics),
+      sticky_(dynamics->mode().contacts.rules(), dynamics->num_hinges()) {
   side_.assign(dynamics->num_hinges(), 0);
   for (std::vector<char>* flags : {&held_, &sticks_, &fixed_, &held_later_}) {
     flags->assign(dynamics->num_hinges(), 0);
   }
-  events_.reserve(256);
 }
 
 void ActiveLimits::Begin() {
-  touch_ = kTouch;
-  events_.clear();
+  sticky_.Begin();
   dynamics_->mode().contacts.Begin();
   std::fill(held_.begin(), held_.end(), 0);
-}
-
-void ActiveLimits::CountEvent(double t) {
-  while (!events_.empty() && events_.front() < t - kChatterWindow) events_.erase(events_.begin());
-  events_.push_back(t);
-  const int excess = std::max(0, static_cast<int>(events_.size()) - kChatter);
-  touch_ = kTouch * std::pow(2.0, std::min(excess, 20));
-}
-
-int ActiveLimits::RecentEvents(double t) const {
-  const auto is_recent = [&](double event) { return event >= t - kChatterWindow; };
-  return static_cast<int>(std::count_if(events_.begin(), events_.end(), is_recent));
 }
 
 uint64_t ActiveLimits::StateSum() const {
@@ -101,11 +89,11 @@ int ActiveLimits::FindSides(double t, bool with_impulse, const HingeState& state
   bool is_struck = with_impulse;
   for (int i = 0; i < static_cast<int>(q.size()); ++i) {
     side_[i] = 0;
-    if (q[i] >= limits_->limit(i, 1) - touch_) side_[i] = 1;
-    if (q[i] <= limits_->limit(i, -1) + touch_) side_[i] = -1;
+    if (q[i] >= limits_->limit(i, 1) - sticky_.distance(i)) side_[i] = 1;
+    if (q[i] <= limits_->limit(i, -1) + sticky_.distance(i)) side_[i] = -1;
     fixed_[i] = limits_->is_fixed(i);
     if (fixed_[i]) side_[i] = 1;
-    is_struck |= fixed_[i] ? qd[i] != 0.0 : side_[i] * qd[i] > rest_rate();
+    is_struck |= fixed_[i] ? qd[i] != 0.0 : side_[i] * qd[i] > sticky_.rest_rate(i);
   }
   for (int i = 0; i < static_cast<int>(q.size()); ++i) {
     if (fixed_[i]) {
@@ -114,10 +102,11 @@ int ActiveLimits::FindSides(double t, bool with_impulse, const HingeState& state
       continue;
     }
     const double out = side_[i] * qd[i];
-    if (out < -rest_rate() && !is_struck) side_[i] = 0;
-    sticks_[i] = side_[i] != 0 && out < 0.0 && out >= -rest_rate();
+    if (out < -sticky_.rest_rate(i) && !is_struck) side_[i] = 0;
+    sticks_[i] = side_[i] != 0 && out < 0.0 && out >= -sticky_.rest_rate(i);
     moving += side_[i] != 0 && out != 0.0;
-    if (out > rest_rate()) log->AddHit(i, t);
+    if (out > sticky_.rest_rate(i)) log->AddHit(i, t);
+    if (side_[i] != 0 && !held_[i]) sticky_.CountArrival(i, t);
   }
   return moving;
 }
@@ -152,8 +141,9 @@ bool ActiveLimits::stops_by_impulse() const {
 }
 
 bool ActiveLimits::IsPushedOff(int hinge, const HingeState& state) const {
-  constexpr double kAtRest = 30.0 * kTouch;  // slower is no speed, sticky or not [rad/s]
-  return side_[hinge] * state.qd[hinge] < -(stops_by_impulse() ? kAtRest : rest_rate());
+  const double at_rest =
+      stops_by_impulse() ? StickyLimits::least_rest_rate() : sticky_.rest_rate(hinge);
+  return side_[hinge] * state.qd[hinge] < -at_rest;
 }
 
 void ActiveLimits::TellOfContacts(double t, ImpactLog* log) const {
@@ -171,16 +161,17 @@ void ActiveLimits::TellOfContacts(double t, ImpactLog* log) const {
 bool ActiveLimits::FallsBack(double t, int hinge, const HingeState& state,
                              std::optional<AtRest>* at_rest) {
   constexpr double kSlow = 0.01;  // [rad/s]
+  const double at_rest_rate = sticky_.rest_rate(hinge);
   const double rate = -side_[hinge] * state.qd[hinge];
   const bool may_fall_back =
       stops_by_impulse() || (dynamics_->is_pushed() && !dynamics_->is_large() && !is_touching_);
-  if (rate > rest_rate() && (rate > kSlow || !may_fall_back)) return false;
+  if (rate > at_rest_rate && (rate > kSlow || !may_fall_back)) return false;
   if (!*at_rest) *at_rest = RestAtLimits(t, state);
-  if (!(*at_rest)->held[hinge] || rate <= rest_rate()) return (*at_rest)->held[hinge];
+  if (!(*at_rest)->held[hinge] || rate <= at_rest_rate) return (*at_rest)->held[hinge];
   std::vector<char> held = (*at_rest)->held;
   held[hinge] = 0;
   forces_.Hold(t, (*at_rest)->state, held);
-  const double back = side_[hinge] * forces_.x()[hinge], height = 4.0 * touch_;
+  const double back = side_[hinge] * forces_.x()[hinge], height = 4.0 * sticky_.distance(hinge);
   return rate * rate <= 2.0 * back * height;
 }
 

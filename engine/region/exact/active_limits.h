@@ -7,6 +7,7 @@
 #include "engine/region/exact/impact_log.h"
 #include "engine/region/exact/limit_forces.h"
 #include "engine/region/exact/limit_range.h"
+#include "engine/region/exact/sticky_limits.h"
 
 namespace hazumi {
 
@@ -25,12 +26,10 @@ class ActiveLimits {
 
   // Another motion: nothing is known of its events.
   void Begin();
-  // An event at t. Where they happen again and again limits become sticky, so that joints that
-  // press on their limits in turn come to rest instead of chattering. [METHOD 3.5]
-  void CountEvent(double t);
-  void ForgetEvents() { events_.clear(); }
-  // Returns the number of events in 1/30 s before t.
-  int RecentEvents(double t) const;
+  // As of StickyLimits.
+  void CountEvent(double t) { sticky_.CountEvent(t); }
+  void ForgetEvents() { sticky_.ForgetEvents(); }
+  int RecentEvents(double t) const { return sticky_.RecentEvents(t); }
   // Returns a hash of the state: hinges held by limits, touching and sliding contacts, and broken
   // constraints.
   uint64_t StateSum() const;
@@ -58,7 +57,6 @@ class ActiveLimits {
   bool WouldHoldAll(const HingeMoment& moment);
 
  private:
-  double rest_rate() const { return 30.0 * touch_; }  // slow enough to count as at rest [rad/s]
   const VecX& T() const { return is_touching_ ? contact_forces_.T() : forces_.T(); }
   int FindSides(double t, bool with_impulse, const HingeState& state, ImpactLog* log);
   void Collide(double t, HingeState* state, ImpactLog* log);
@@ -84,8 +82,7 @@ class ActiveLimits {
   std::vector<int> side_;  // the limit it is at, as LimitSolver
   std::vector<char> held_, sticks_, fixed_, held_later_;
   bool any_ = false;
-  double touch_ = kTouch;       // how near a limit counts as at it [rad]
-  std::vector<double> events_;  // the latest ones [s]
+  StickyLimits sticky_;
 };
 
 }  // namespace hazumi

@@ -25,8 +25,8 @@ void LimitSolver::SolveMixed(const MatX& M, const VecX& b, const VecX& given,
     if (!held[i]) free_.push_back(i);
   }
   const int k = static_cast<int>(free_.size());
-  constexpr double kProduct = 5e-4;  // cost of a product in evaluations
-  work_ += kProduct * (static_cast<double>(k) * k * k + 2.0 * n * n);
+  constexpr double kEntry = 4e-3;  // cost of an entry of M in evaluations, at most
+  work_ += kEntry * static_cast<double>(n) * n;
   for (int r = 0; r < k; ++r) {
     const int i = free_[r];
     double right = -b[i];
