@@ -45,6 +45,15 @@ TEST(WorkingRegion, DoesNotStopHingesThatOnlyPassTheirLimits) {
   for (const int seed : {980000685, 982000032, 982000150}) ExpectClose(seed);
 }
 
+// What friction wedges against the ground, so that no push is enough: from there on nobody knows.
+TEST(WorkingRegion, SaysWhereAnImpactHasNoSolution) {
+  constexpr double kWedged = 21.1705;  // [frame]
+  const Result<Motion> motion = Bake(RandomWorkingRegion(982000230).animation);
+  ASSERT_TRUE(motion.ok());
+  ASSERT_TRUE(motion.value().regions[0].branches_from.has_value());
+  EXPECT_NEAR(*motion.value().regions[0].branches_from, kWedged, 1e-3);
+}
+
 // A foot that landed and is pinned: a contact straight below its pin might push with anything, and
 // stop the foot by friction.
 TEST(WorkingRegion, HasNoFrictionStraightBelowAPin) { ExpectClose(980000057); }

@@ -71,6 +71,7 @@ bool ActiveLimits::Touches(double t, const HingeState& state) {
 
 void ActiveLimits::Resolve(double t, const HingeMoment* later, HingeState* state, ImpactLog* log) {
   is_touching_ = Touches(t, *state);
+  if (contact_forces_.is_order_unsure()) log->NoteUnsure();
   const bool with_impulse =
       !state->pin_velocity.isZero(0.0) || dynamics_->mode().constraints.any() || is_touching_;
   const int moving = limits_->any() ? FindSides(t, with_impulse, *state, log) : 0;
@@ -147,6 +148,7 @@ bool ActiveLimits::IsPushedOff(int hinge, const HingeState& state) const {
 }
 
 void ActiveLimits::TellOfContacts(double t, ImpactLog* log) const {
+  if (!contact_forces_.has_solved_impact()) log->NoteUnsure();
   const ContactSet& contacts = dynamics_->mode().contacts;
   const double limits = contact_forces_.limit_work();
   log->AddWork({limits, contact_forces_.work() - limits, /*has_contacts=*/true});

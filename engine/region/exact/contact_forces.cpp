@@ -23,6 +23,8 @@ constexpr double kNoForce = 1e-9, kStill = 1e-4;
 // What would be back within so long does not bounce [s]: else it would do so for ever.
 constexpr double kShortHop = 6e-3;
 constexpr int kMostHalvings = 30;
+// By this factor more or less than touch_ a gap may count as touching in another solution.
+constexpr double kUnsure = 10.0;
 
 }  // namespace
 
@@ -36,9 +38,14 @@ bool ContactForces::FindTouching(double t, const HingeState& at) {
   contacts.FindPairs(state, 1e-3 + touch_);
   contacts.OpenAll();
   touching_.clear();
+  is_order_unsure_ = false;
   for (int i = 0; i < static_cast<int>(contacts.pairs().size()); ++i) {
     const auto point = contacts.PointOf(i, state);
-    if (point && point->gap <= contacts.pairs()[i].allowed_gap + touch_) touching_.push_back(i);
+    if (!point) continue;
+    const double gap = point->gap - contacts.pairs()[i].allowed_gap;
+    if (gap <= touch_) touching_.push_back(i);
+    const bool is_near = gap > touch_ / kUnsure && gap < touch_ * kUnsure;
+    is_order_unsure_ |= is_near && Dot(point->n, point->v) < -kTouchDownSpeed;
   }
   return !touching_.empty();
 }
@@ -59,7 +66,7 @@ void ContactForces::Impact(double t, const std::vector<int>& side, const std::ve
   rows.c += rows.J * jump;
   qd += jump;
   problem_.SetUp(side, sticks, rows, qd);
-  Solve();
+  has_solved_impact_ = Solve();
   Bounce(rows.c);
   ListStruck(rows.c);
   const VecX before = qd;

@@ -22,10 +22,15 @@ class ContactForces {
   }
   // Pairs that touch at these angles; the others are open from now on. False: none.
   bool FindTouching(double t, const HingeState& state);
+  // Whether another pair hits so soon before or after these that a solution cannot tell whether it
+  // hits together with them, which makes another motion.
+  bool is_order_unsure() const { return is_order_unsure_; }
   // An impact of everything that touches, inelastic except where capsules have a restitution, and
   // of a pin that is stopped.
   void Impact(double t, const std::vector<int>& side, const std::vector<char>& sticks,
               HingeState* state);
+  // Whether that has a solution: friction may wedge what touches, so that no push is enough.
+  bool has_solved_impact() const { return has_solved_impact_; }
   // Work of the impact [J], the part of limits, and the pairs that touched down with an impulse.
   double work() const { return work_; }
   double limit_work() const { return limit_work_; }
@@ -49,6 +54,7 @@ class ContactForces {
 
   RegionDynamics* dynamics_;
   double touch_ = 0.0, rest_speed_ = 0.0;
+  bool is_order_unsure_ = false, has_solved_impact_ = true;
   std::vector<int> touching_, struck_;  // indices of pairs
   double work_ = 0.0, limit_work_ = 0.0;
   ContactProblem problem_;

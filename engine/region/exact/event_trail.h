@@ -26,14 +26,16 @@ constexpr double kOneEvent = 2e-3;
 
 // Events between `time` and `last_time` [s] as hashes, which are equal for equal events. `happened`
 // combines limit impacts and touch-downs in any order. `state` combines the held hinges, the
-// sticking and the sliding contacts, and the broken constraints afterwards.
+// sticking and the sliding contacts, and the broken constraints afterwards. `is_unsure`: whether
+// some of it happened together or one after another is within the error of a solution.
 struct EventMark {
   double time = 0.0, last_time = 0.0;
   uint64_t happened = 0, state = 0;
+  bool is_unsure = false;
 };
 
-// Events of a solution in order. Two solutions of one motion whose events differ are on different
-// branches: their difference is no error estimate from there on. [METHOD 8.2]
+// Events of a solution in order. Two solutions of one motion whose events differ, or could differ,
+// are on different branches: their difference is no error estimate from there on. [METHOD 8.2]
 class EventTrail {
  public:
   // Adds a mark, or merges it with the last one if both are within kOneEvent.
@@ -41,12 +43,14 @@ class EventTrail {
     if (marks_.empty() || mark.time - marks_.back().last_time > kOneEvent) {
       // Skip a mark that changes nothing.
       const uint64_t state = marks_.empty() ? 0 : marks_.back().state;
-      if (mark.happened != 0 || mark.state != state) marks_.push_back(mark);
+      const bool changes = mark.happened != 0 || mark.state != state;
+      if (changes || mark.is_unsure) marks_.push_back(mark);
       return;
     }
     marks_.back().last_time = mark.last_time;
     marks_.back().happened |= mark.happened;
     marks_.back().state = mark.state;
+    marks_.back().is_unsure |= mark.is_unsure;
   }
 
   // Returns the time from which two trails differ [s], as far as that is certain at t. Both trails
@@ -57,7 +61,8 @@ class EventTrail {
       const EventMark& one = i < a.marks_.size() ? a.marks_[i] : b.marks_[i];
       const EventMark& other = i < b.marks_.size() ? b.marks_[i] : a.marks_[i];
       const bool are_both_there = &one != &other;
-      if (are_both_there && one.happened == other.happened && one.state == other.state) continue;
+      const bool are_equal = one.happened == other.happened && one.state == other.state;
+      if (are_both_there && are_equal && !one.is_unsure && !other.is_unsure) continue;
       const bool is_over = std::max(one.last_time, other.last_time) < t - 2.0 * kOneEvent;
       return is_over ? std::optional(std::min(one.time, other.time)) : std::nullopt;
     }

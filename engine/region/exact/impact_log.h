@@ -73,9 +73,12 @@ class ImpactLog {
     last->count += time > last->last_time;  // several points of a link may touch down at once
     last->last_time = time;
   }
+  // What happens could happen in another order.
+  void NoteUnsure() { is_unsure_ = true; }
   // Adds a mark at `time` with the events since the last mark, and the state after them.
   void Mark(double time, uint64_t state) {
-    marks_.push_back({time, time, std::exchange(happened_, 0), state});
+    marks_.push_back(
+        {time, time, std::exchange(happened_, 0), state, std::exchange(is_unsure_, false)});
   }
   // Returns the events since the last call, without breaks, which constraints tell of.
   IslandEvents Take() {
@@ -92,6 +95,7 @@ class ImpactLog {
   ImpactWork work_;
   std::vector<EventMark> marks_;
   uint64_t happened_ = 0;
+  bool is_unsure_ = false;
 };
 
 }  // namespace hazumi

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "tests/unit/bake/contact_cases.h"
 
@@ -44,6 +45,26 @@ TEST(TouchDown, IsOneEventThatNamesWhatTouches) {
   EXPECT_EQ(touches[0].joint, "rod");
   EXPECT_EQ(touches[0].on, "floor");
   EXPECT_EQ(touches[0].count, 1);
+}
+
+// Lands with its far end so high above the floor [m]; whether its motion is one of several then.
+bool IsUnsureWhenLandingBy(double height) {
+  Animation animation = FallingCapsule();
+  animation.root_keys[kRootAngleY] = {{0, std::asin(height / 0.6), 0.0, kHold}};
+  const Motion motion = BakeOrFail(animation);
+  const std::optional<double> from = motion.regions[0].branches_from;
+  const double landed = animation.rate.FrameAt(std::sqrt(2.0 * kDrop / kG));
+  if (from) EXPECT_NEAR(*from, landed, 0.1);
+  return from.has_value();
+}
+
+// Whether both ends hit together, or one and then the other, makes two motions. Where the second
+// hit is within 1e-9 to 1e-7 m of the first a solution cannot tell.
+TEST(Impact, ImpactsThatAreNextToSimultaneous_MakeTheMotionUnsure) {
+  EXPECT_FALSE(IsUnsureWhenLandingBy(0.0));
+  EXPECT_TRUE(IsUnsureWhenLandingBy(5e-9));
+  EXPECT_TRUE(IsUnsureWhenLandingBy(2e-8));
+  EXPECT_FALSE(IsUnsureWhenLandingBy(1e-3));
 }
 
 // Two rods in a line with a hinge about y between them, which bends up to 0.1 rad. The floor stops
