@@ -84,12 +84,25 @@ void LookAtAccount(const Motion& motion, Trial* trial) {
 
 struct References {
   Result<Motion> coarse, fine;
+  double apart = HUGE_VAL;  // [deg]; unknown if one of them failed
 };
 
+References Together(const Animation& animation, Result<Motion> coarse, Result<Motion> fine) {
+  References references = {std::move(coarse), std::move(fine)};
+  if (!references.coarse.ok() || !references.fine.ok()) return references;
+  const double until = EstimatedUntil(references.fine.value());
+  references.apart =
+      FurthestApart(animation, references.coarse.value(), references.fine.value(), until);
+  return references;
+}
+
+// Of three references the two that agree best: rounding grows with the number of steps, so that
+// the finest one is not always the best.
 References ReferencesOf(const Animation& animation) {
-  References references = {ReferenceAt(animation, 1e-4), ReferenceAt(animation, 1e-5)};
-  if (references.fine.ok() && references.coarse.ok()) return references;
-  return {ReferenceAt(animation, 1e-3), std::move(references.coarse)};
+  References fine = Together(animation, ReferenceAt(animation, 1e-4), ReferenceAt(animation, 1e-5));
+  if (fine.apart < 0.1 * kTolerance) return fine;
+  References coarse = Together(animation, ReferenceAt(animation, 1e-3), fine.coarse);
+  return coarse.apart < fine.apart || !fine.fine.ok() ? coarse : fine;
 }
 
 void Count(const Trial& trial, Tally* tally) {
@@ -173,7 +186,8 @@ Trial Try(const Animation& drawn) {
     return trial;
   }
   LookAtAccount(motion.value(), &trial);
-  const auto [one, two] = ReferencesOf(animation);
+  const References references = ReferencesOf(animation);
+  const Result<Motion>&one = references.coarse, &two = references.fine;
   for (const auto* reference : {&one, &two}) {
     if (reference->ok()) continue;
     trial.outcome = Outcome::kUnreferenced;
