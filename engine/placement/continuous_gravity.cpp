@@ -169,7 +169,9 @@ double ContinuousGravity::Rise(double t, const Pose& pose, DynamicsWorkspace* ws
 
 std::optional<GravityEvent> ContinuousGravity::FindTakeOff(double t0, double t1, const Pose& pose,
                                                            DynamicsWorkspace* ws) const {
-  constexpr int kLooks = 4;
+  constexpr int kLooks = 4, kFirstLooks = 5;  // what has just landed may take off soon
+  const bool has_landed = !state_.landings.empty() && state_.landings.back() == t0;
+  const bool looks_soon = has_landed && rules_.locates_landings_exactly;
   const double instant = TolerancesOf(rules_).instant;
   const bool tells_force = t1 - t0 >= kTellsForce || !rules_.tells_motion_from_rounding;
   // Positive where the figure takes off.
@@ -185,8 +187,9 @@ std::optional<GravityEvent> ContinuousGravity::FindTakeOff(double t0, double t1,
   double before = from, lift_before = lift(from), lost_before = lost(from);
   const auto take_off = [](double t) { return GravityEvent{GravityEvent::Kind::kTakeOff, t}; };
   if (lift_before > 0.0 || lost_before > 0.0) return take_off(from);
-  for (int look = 1; look <= kLooks; ++look) {
-    const double t = look == kLooks ? t1 : from + (t1 - from) * look / kLooks;
+  for (int look = looks_soon ? 1 - kFirstLooks : 1; look <= kLooks; ++look) {
+    const double share = look > 0 ? look : std::pow(0.25, 1 - look);
+    const double t = look == kLooks ? t1 : from + (t1 - from) * share / kLooks;
     const double lift_now = lift(t), lost_now = lost(t);
     double first = kNever;
     if (lift_now > 0.0) first = Root(before, lift_before, t, lift_now, instant, lift);
@@ -221,8 +224,21 @@ double ContinuousGravity::SpeedBound(double t0, double t1, const Pose& pose,
   return 1.33 * fastest + 1e-3;
 }
 
+// When the figure is farthest out between two times at which it is inside by its depth at take-off,
+// if it is outside then.
+std::optional<double> ContinuousGravity::FindOutside(double t0, double t1, const Pose& pose,
+                                                     DynamicsWorkspace* ws) const {
+  constexpr double kSoon = 1e-6;  // [s]
+  const auto sinks = [&](double t) { return -Rise(t, pose, ws); };
+  const double f0 = sinks(t0), f1 = sinks(t1);
+  if (f0 >= 0.0 || f1 <= 0.0) return std::nullopt;
+  const double top = Narrow({t0, f0, t1, f1}, kSoon, sinks).b;
+  return ClearanceAt(top, pose, ws) >= 0.0 ? std::optional(top) : std::nullopt;
+}
+
 // Conservative advancement: from a time with clearance c nothing is touched for c / speed seconds.
-// Touching within kTouching, as just after take-off, it goes on in short steps.
+// Touching within kTouching, as just after take-off, it goes on in short steps. What took off from
+// inside is looked at the more often the nearer it is to getting out.
 std::optional<GravityEvent> ContinuousGravity::FindLanding(double t0, double t1, const Pose& pose,
                                                            DynamicsWorkspace* ws) {
   const auto depth = [&](double t) { return state_.allowed - ClearanceAt(t, pose, ws); };
@@ -233,8 +249,20 @@ std::optional<GravityEvent> ContinuousGravity::FindLanding(double t0, double t1,
   bool is_leaving = true;
   while (t < t1) {
     const double least = is_leaving ? (t1 - t0) / 64.0 : 1e-6;
-    const double next = std::min(t1, t + std::max(gap / speed, least));
+    double way = std::max(gap / speed, least);
+    const double inside = -(state_.allowed + gap);
+    const bool looks_for_outside = rules_.locates_landings_exactly && inside > 0.0;
+    if (looks_for_outside) way = std::min(way, std::max(inside / speed, (t1 - t0) / 64.0));
+    const double next = std::min(t1, t + way);
     const double next_gap = -depth(next);
+    if (looks_for_outside && state_.allowed + next_gap < 0.0) {
+      if (const std::optional<double> outside = FindOutside(t, next, pose, ws)) {
+        state_.allowed = 0.0;
+        t = *outside;
+        gap = -depth(t);
+        continue;
+      }
+    }
     if (next_gap < -tolerances.depth) {
       const double touches = Root(t, -gap, next, -next_gap, tolerances.instant, depth);
       if (!rules_.pins_what_would_sink || Rise(touches, pose, ws) < -kHeldSpeed) {
