@@ -92,7 +92,9 @@ struct SolverRules {
   bool no_friction_at_pins;
   // Rounding is no motion: neither the force of a pin in a step of a few nanoseconds, for which a
   // figure took off before, nor the rate of a hinge that constraints hold, by which limits went
-  // round in circles. [METHOD 5.5, 3.3]
+  // round in circles; nor is the pull of a limit that nothing presses, which let go again and
+  // again, or the way that a hinge is outside as it leaves its limit, which it met again and
+  // again. [METHOD 5.5, 3.3, 3.4]
   bool tells_motion_from_rounding;
   // The limits of a hinge become sticky when that hinge comes to them again and again. Before: the
   // limits of all hinges did when there were many events, which stopped hinges that were only

@@ -253,6 +253,14 @@ double ActiveLimits::PullAt(double t, const HingeState& state) {
   return StrongestPull();
 }
 
+bool ActiveLimits::PullsByRounding() const {
+  if (!dynamics_->mode().contacts.rules().tells_motion_from_rounding) return false;
+  for (int i = 0; i < static_cast<int>(held_.size()); ++i) {
+    if (held_[i] && !fixed_[i] && side_[i] * T()[i] > forces_.RoundingOf(i)) return false;
+  }
+  return true;
+}
+
 bool ActiveLimits::WouldHoldAll(const HingeMoment& moment) {
   for (size_t i = 0; i < side_.size(); ++i) side_[i] = held_[i] ? side_[i] : 0;
   forces_.Rest(moment.time, moment.state, side_, fixed_, &held_later_);

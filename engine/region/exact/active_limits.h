@@ -53,6 +53,8 @@ class ActiveLimits {
   // at any time.
   double StrongestPull() const;
   double PullAt(double t, const HingeState& state);
+  // After PullAt: whether no limit pulls by more than rounding.
+  bool PullsByRounding() const;
   // Whether those that are held would all be held there. The others are at no limit any more.
   bool WouldHoldAll(const HingeMoment& moment);
 

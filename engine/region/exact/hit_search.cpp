@@ -196,19 +196,31 @@ std::optional<double> HitSearch::FindCrossing(int hinge, int side, double before
 
 // Between a time at which the hinge is inside and one at which it is outside.
 // Half of kTouch counts as inside, so that a hinge that leaves its limit has not crossed it. Nor
-// has one that is outside by what the inside of a step is off by, and on its way in: springs would
-// meet their limit again and again so. Nothing but forces makes that matter; without any it is a
-// hit, as the bits of limp motions are promised by the solver's version.
+// has one that is outside by rounding and on its way in: it would meet its limit again and again.
+// It may when it comes back. (In version 1 of the solver, it has; or, with forces, does not come
+// back up to `outside`.)
 std::optional<double> HitSearch::CrossingTime(int hinge, int side, double inside, double outside) {
   const auto out = [&](double t) {
     Look(t, &sample_);
     return limits_->Beyond(hinge, side, sample_.q[hinge]) - 0.5 * kTouch;
   };
+  const auto rate = [&](double t) {
+    Look(t, &sample_);
+    return side * sample_.qd[hinge];
+  };
   const double in = std::min(out(inside), -kTouch);
   const double t = Narrow({inside, in, outside, out(outside)}, 1e-14, out, 1e-14).b;
-  if (!dynamics_->is_pushed()) return t;
-  Look(t, &sample_);
-  return side * sample_.qd[hinge] > 0.0 ? std::optional(t) : std::nullopt;
+  if (!dynamics_->mode().contacts.rules().tells_motion_from_rounding) {
+    return !dynamics_->is_pushed() || rate(t) > 0.0 ? std::optional(t) : std::nullopt;
+  }
+  const double rate_then = rate(t);
+  if (rate_then > 0.0) return t;
+  const double rate_outside = rate(outside);
+  if (rate_outside <= 0.0) return std::nullopt;
+  const double turns = Narrow({t, rate_then, outside, rate_outside}, kSameTime, rate).b;
+  const double out_then = out(turns);
+  if (out_then >= 0.0) return turns;
+  return Narrow({turns, out_then, outside, out(outside)}, 1e-14, out, 1e-14).b;
 }
 
 }  // namespace hazumi

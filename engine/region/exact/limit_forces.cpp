@@ -12,6 +12,7 @@ LimitForces::LimitForces(RegionDynamics* dynamics)
   solver_.Resize(n);
   impulse_.setZero(n);
   T_.setZero(n);
+  roundings_.setZero(n);
   some_.reserve(n);
 }
 
@@ -84,7 +85,10 @@ void LimitForces::Hold(double t, const HingeState& state, const std::vector<char
 
 void LimitForces::TakeTorques() {
   T_.setZero();
-  for (size_t c = 0; c < some_.size(); ++c) T_[some_[c]] = solver_.T()[static_cast<long>(c)];
+  for (int c = 0; c < static_cast<int>(some_.size()); ++c) {
+    T_[some_[c]] = solver_.T()[c];
+    roundings_[some_[c]] = solver_.RoundingOf(c);
+  }
 }
 
 }  // namespace hazumi

@@ -28,6 +28,10 @@ class LimitForces {
   // After Rest and Hold: accelerations, but of large islands, and what the limits give [N m].
   const VecX& x() const { return solver_.x(); }
   const VecX& T() const { return dynamics_->is_large() ? T_ : solver_.T(); }
+  // What of T() is rounding, by free hinge [N m].
+  double RoundingOf(int hinge) const {
+    return dynamics_->is_large() ? roundings_[hinge] : solver_.RoundingOf(hinge);
+  }
 
  private:
   template <typename IsWanted>
@@ -40,7 +44,7 @@ class LimitForces {
   // Of a large island: the hinges that are looked at, and what is known of them.
   std::vector<int> some_, side_;
   std::vector<char> flags_, held_;
-  VecX T_;
+  VecX T_, roundings_;
 };
 
 }  // namespace hazumi

@@ -84,17 +84,18 @@ void LimitSolver::Solve(const MatX& M, const VecX& b, const std::vector<char>& h
   SolveMixed(M, b, zero_, held, rows);
 }
 
+double LimitSolver::RoundingOf(int hinge) const {
+  return kRounding * std::max(T_.lpNorm<Eigen::Infinity>(), size_[hinge]);
+}
+
 // The first hinge at a limit that is held but would have to be pulled, or is not held and goes out.
 int LimitSolver::FirstWrong(const std::vector<int>& side, const VecX& reached, double fastest,
                             const std::vector<char>& fixed, const std::vector<char>& held) const {
-  constexpr double kRounding = 1e-12;
-  const double scale_T = T_.lpNorm<Eigen::Infinity>();
   double scale_x = reached.lpNorm<Eigen::Infinity>();
   if (tells_motion_from_rounding_) scale_x = std::max(scale_x, fastest);
   for (int i = 0; i < static_cast<int>(side.size()); ++i) {
     if (side[i] == 0 || fixed[i]) continue;
-    if (held[i] ? side[i] * T_[i] > kRounding * std::max(scale_T, size_[i])
-                : side[i] * reached[i] > kRounding * scale_x) {
+    if (held[i] ? side[i] * T_[i] > RoundingOf(i) : side[i] * reached[i] > kRounding * scale_x) {
       return i;
     }
   }

@@ -43,6 +43,8 @@ class LimitSolver {
   const VecX& x() const { return x_; }
   const VecX& T() const { return T_; }
   const VecX& l() const { return l_; }  // what the rows give
+  // What of T() is rounding [N m].
+  double RoundingOf(int hinge) const;
   // Work since the last call, in evaluations of accelerations.
   double TakeWork() { return std::exchange(work_, 0.0); }
 
@@ -51,6 +53,7 @@ class LimitSolver {
   void SolveMixed(const MatX& M, const VecX& b, const VecX& given, const std::vector<char>& held,
                   const LimitRows* rows);
   void KeepRows(const LimitRows& rows, const VecX& given, const std::vector<char>& held);
+  static constexpr double kRounding = 1e-12;
   // `fastest`: of what moves [rad/s] or [rad/s^2].
   int FirstWrong(const std::vector<int>& side, const VecX& reached, double fastest,
                  const std::vector<char>& fixed, const std::vector<char>& held) const;

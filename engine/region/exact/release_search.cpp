@@ -33,9 +33,15 @@ double ReleaseSearch::Pull(double t) {
   return limits_->PullAt(t, sample_) - allowed_;
 }
 
+// The same; what is rounding is none.
+double ReleaseSearch::FeltPull(double t) {
+  const double pull = Pull(t);
+  return pull > 0.0 && limits_->PullsByRounding() ? 0.0 : pull;
+}
+
 bool ReleaseSearch::Find() {
   const double a = step_->start_time(), b = step_->time();
-  const double fa = std::min(pull_before_, 0.0), fb = Pull(b);
+  const double fa = std::min(pull_before_, 0.0), fb = FeltPull(b);
   pull_before_ = fb;
   const std::optional<double> t = FirstPull(a, fa, b, fb);
   if (!t) return false;
@@ -46,14 +52,14 @@ bool ReleaseSearch::Find() {
 
 void ReleaseSearch::Cut() {
   has_later_ = false;
-  pull_before_ = Pull(step_->time());
+  pull_before_ = FeltPull(step_->time());
 }
 
 // About a pole the pull of an outer hinge changes the faster the nearer it is: looks crowd there.
 std::optional<double> ReleaseSearch::FirstPull(double a, double fa, double b, double fb) {
   constexpr double kNearer = 0.25, kNearest = 1e-8;  // share of the way to the next look; [s]
   const auto find_until = [&](double t) {
-    const double f = Pull(t);
+    const double f = FeltPull(t);
     const std::optional<double> pull = FindPull(a, fa, t, f, 2);
     a = t;
     fa = f;
@@ -65,7 +71,7 @@ std::optional<double> ReleaseSearch::FirstPull(double a, double fa, double b, do
     }
     if (pole + kNearest <= a || pole + kNearest >= b) continue;
     a = pole + kNearest;  // at the pole itself the pull is not defined
-    fa = Pull(a);
+    fa = FeltPull(a);
     if (fa > 0.0) return a;
     for (double d = kNearest / kNearer; d < b - pole; d /= kNearer) {
       if (const auto pull = find_until(pole + d)) return pull;
@@ -105,12 +111,12 @@ const std::vector<double>& ReleaseSearch::FindPoles() {
 // unless the parabola is good enough to tell that there is nothing.
 std::optional<double> ReleaseSearch::FindPull(double a, double fa, double b, double fb,
                                               int halvings) {
-  const double m = 0.5 * (a + b), fm = Pull(m);
+  const double m = 0.5 * (a + b), fm = FeltPull(m);
   if (fm > 0.0) return ReleaseTime(a, fa, m, fm);
   const double bend = fa - 2.0 * fm + fb;
   const double s = bend < 0.0 ? std::clamp(0.25 * (fa - fb) / bend, -0.5, 0.5) : 0.0;
   if (s != 0.0 && std::abs(s) < 0.5) {
-    const double top = m + s * (b - a), f = Pull(top);
+    const double top = m + s * (b - a), f = FeltPull(top);
     if (f > 0.0) return s < 0.0 ? ReleaseTime(a, fa, top, f) : ReleaseTime(m, fm, top, f);
   }
   if (halvings > 0 && !StaysBelow(a, fa, fm, b, fb)) {

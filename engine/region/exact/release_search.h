@@ -25,6 +25,7 @@ class ReleaseSearch {
 
  private:
   double Pull(double t);
+  double FeltPull(double t);
   std::optional<double> FirstPull(double a, double fa, double b, double fb);
   const std::vector<double>& FindPoles();
   std::optional<double> FindPull(double a, double fa, double b, double fb, int halvings);
