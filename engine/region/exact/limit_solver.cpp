@@ -25,7 +25,7 @@ void LimitSolver::SolveMixed(const MatX& M, const VecX& b, const VecX& given,
     if (!held[i]) free_.push_back(i);
   }
   const int k = static_cast<int>(free_.size());
-  constexpr double kEntry = 4e-3;  // cost of an entry of M in evaluations, at most
+  constexpr double kEntry = 4e-3;  // cost of an entry of M, in evaluations
   work_ += kEntry * static_cast<double>(n) * n;
   for (int r = 0; r < k; ++r) {
     const int i = free_[r];
