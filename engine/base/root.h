@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 namespace hazumi {
 
 // A function is at most zero at `a` and positive at `b`.
@@ -21,5 +23,9 @@ Bracket Narrow(Bracket x, double width, Function&& f, double small = 0.0) {
   }
   return x;
 }
+
+// Place of a look into a step, in equal looks. Looks before the first one (0, -1, ...) crowd
+// towards the start of the step.
+inline double PlaceOfLook(int look) { return look > 0 ? look : std::pow(0.25, 1 - look); }
 
 }  // namespace hazumi

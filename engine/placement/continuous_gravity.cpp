@@ -188,8 +188,7 @@ std::optional<GravityEvent> ContinuousGravity::FindTakeOff(double t0, double t1,
   const auto take_off = [](double t) { return GravityEvent{GravityEvent::Kind::kTakeOff, t}; };
   if (lift_before > 0.0 || lost_before > 0.0) return take_off(from);
   for (int look = looks_soon ? 1 - kFirstLooks : 1; look <= kLooks; ++look) {
-    const double share = look > 0 ? look : std::pow(0.25, 1 - look);
-    const double t = look == kLooks ? t1 : from + (t1 - from) * share / kLooks;
+    const double t = look == kLooks ? t1 : from + (t1 - from) * PlaceOfLook(look) / kLooks;
     const double lift_now = lift(t), lost_now = lost(t);
     double first = kNever;
     if (lift_now > 0.0) first = Root(before, lift_before, t, lift_now, instant, lift);
@@ -224,14 +223,16 @@ double ContinuousGravity::SpeedBound(double t0, double t1, const Pose& pose,
   return 1.33 * fastest + 1e-3;
 }
 
-// When the figure is farthest out between two times at which it is inside by its depth at take-off,
-// if it is outside then.
+// Returns when the figure is farthest out between two times at which it is inside, if it is outside
+// then.
 std::optional<double> ContinuousGravity::FindOutside(double t0, double t1, const Pose& pose,
                                                      DynamicsWorkspace* ws) const {
   constexpr double kSoon = 1e-6;  // [s]
   const auto sinks = [&](double t) { return -Rise(t, pose, ws); };
-  const double f0 = sinks(t0), f1 = sinks(t1);
-  if (f0 >= 0.0 || f1 <= 0.0) return std::nullopt;
+  const double f1 = sinks(t1);
+  if (f1 <= 0.0) return std::nullopt;
+  const double f0 = sinks(t0);
+  if (f0 >= 0.0) return std::nullopt;
   const double top = Narrow({t0, f0, t1, f1}, kSoon, sinks).b;
   return ClearanceAt(top, pose, ws) >= 0.0 ? std::optional(top) : std::nullopt;
 }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "engine/bake/bake.h"
 #include "tests/property/working_region_trials.h"
@@ -46,7 +45,8 @@ TEST(WorkingRegion, DoesNotStopHingesThatOnlyPassTheirLimits) {
   for (const int seed : {980000685, 982000032, 982000150}) ExpectClose(seed);
 }
 
-// What friction wedges against the ground, so that no push is enough: from there on nobody knows.
+// Friction wedges a body against the ground so that no push is enough: the motion is unknown from
+// there on.
 TEST(WorkingRegion, SaysWhereAnImpactHasNoSolution) {
   constexpr double kWedged = 21.1705;  // [frame]
   const Result<Motion> motion = Bake(RandomWorkingRegion(982000230).animation);

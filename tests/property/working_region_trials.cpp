@@ -96,8 +96,8 @@ References Together(const Animation& animation, Result<Motion> coarse, Result<Mo
   return references;
 }
 
-// Of three references the two that agree best: rounding grows with the number of steps, so that
-// the finest one is not always the best.
+// Returns the two of three references that agree best: rounding grows with the number of steps, so
+// that the finest one is not always the best.
 References ReferencesOf(const Animation& animation) {
   References fine = Together(animation, ReferenceAt(animation, 1e-4), ReferenceAt(animation, 1e-5));
   if (fine.apart < 0.1 * kTolerance) return fine;

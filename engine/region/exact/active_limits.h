@@ -26,7 +26,7 @@ class ActiveLimits {
 
   // Another motion: nothing is known of its events.
   void Begin();
-  // As of StickyLimits.
+  // Events, as StickyLimits counts them.
   void CountEvent(double t) { sticky_.CountEvent(t); }
   void ForgetEvents() { sticky_.ForgetEvents(); }
   int RecentEvents(double t) const { return sticky_.RecentEvents(t); }

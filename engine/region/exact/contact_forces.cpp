@@ -23,7 +23,7 @@ constexpr double kNoForce = 1e-9, kStill = 1e-4;
 // What would be back within so long does not bounce [s]: else it would do so for ever.
 constexpr double kShortHop = 6e-3;
 constexpr int kMostHalvings = 30;
-// By this factor more or less than touch_ a gap may count as touching in another solution.
+// Factor between touch_ and a gap that may count as touching in another solution.
 constexpr double kUnsure = 10.0;
 
 }  // namespace

@@ -54,8 +54,7 @@ bool ContactSearch::Find(bool follows_event) {
   See(start);
   forces_before_ = start;
   for (int look = follows_event ? 1 - kFirstLooks : 1; look <= looks; ++look) {
-    const double share = look > 0 ? look : std::pow(0.25, 1 - look);
-    const double t = look == looks ? end : start + h * share / looks;
+    const double t = look == looks ? end : start + h * PlaceOfLook(look) / looks;
     const std::optional<double> change = FirstChange(before, t, look == looks || 2 * look == looks);
     if (change) {
       if (*change < end) step_->EndAt(*change);

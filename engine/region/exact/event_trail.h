@@ -26,8 +26,8 @@ constexpr double kOneEvent = 2e-3;
 
 // Events between `time` and `last_time` [s] as hashes, which are equal for equal events. `happened`
 // combines limit impacts and touch-downs in any order. `state` combines the held hinges, the
-// sticking and the sliding contacts, and the broken constraints afterwards. `is_unsure`: whether
-// some of it happened together or one after another is within the error of a solution.
+// sticking and the sliding contacts, and the broken constraints afterwards. `is_unsure`: the error
+// of a solution decides whether two of the events happened together or one after the other.
 struct EventMark {
   double time = 0.0, last_time = 0.0;
   uint64_t happened = 0, state = 0;

@@ -61,8 +61,7 @@ HitSearch::Found HitSearch::Find(const std::vector<char>& held, bool follows_eve
   look_ = step_->start();
   double before = start;
   for (int look = follows_event ? 1 - kFirstLooks : 1; look <= kLooks; ++look) {
-    const double share = look > 0 ? look : std::pow(0.25, 1 - look);
-    double t = look == kLooks ? end : start + h * share / kLooks;
+    double t = look == kLooks ? end : start + h * PlaceOfLook(look) / kLooks;
     before_.swap(look_);
     look_.qd = before_.qd;
     Look(t, &look_);
@@ -196,9 +195,9 @@ std::optional<double> HitSearch::FindCrossing(int hinge, int side, double before
 
 // Between a time at which the hinge is inside and one at which it is outside.
 // Half of kTouch counts as inside, so that a hinge that leaves its limit has not crossed it. Nor
-// has one that is outside by rounding and on its way in: it would meet its limit again and again.
-// It may when it comes back. (In version 1 of the solver, it has; or, with forces, does not come
-// back up to `outside`.)
+// has one that is outside by rounding and on its way in, until it comes back: else it would meet
+// its limit again and again. (Version 1 of the solver counts it as a crossing without drives,
+// forces and constraints, and with these does not look for its return.)
 std::optional<double> HitSearch::CrossingTime(int hinge, int side, double inside, double outside) {
   const auto out = [&](double t) {
     Look(t, &sample_);

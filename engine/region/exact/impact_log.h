@@ -73,7 +73,7 @@ class ImpactLog {
     last->count += time > last->last_time;  // several points of a link may touch down at once
     last->last_time = time;
   }
-  // What happens could happen in another order.
+  // Notes that the events of the next mark could happen in another order.
   void NoteUnsure() { is_unsure_ = true; }
   // Adds a mark at `time` with the events since the last mark, and the state after them.
   void Mark(double time, uint64_t state) {

@@ -28,7 +28,7 @@ class LimitForces {
   // After Rest and Hold: accelerations, but of large islands, and what the limits give [N m].
   const VecX& x() const { return solver_.x(); }
   const VecX& T() const { return dynamics_->is_large() ? T_ : solver_.T(); }
-  // What of T() is rounding, by free hinge [N m].
+  // Returns how much of T() is rounding, by free hinge [N m].
   double RoundingOf(int hinge) const {
     return dynamics_->is_large() ? roundings_[hinge] : solver_.RoundingOf(hinge);
   }

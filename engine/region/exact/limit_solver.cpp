@@ -46,6 +46,7 @@ void LimitSolver::SolveMixed(const MatX& M, const VecX& b, const VecX& given,
     size_[i] = held[i] ? std::abs(b[i]) + M.row(i).cwiseAbs().dot(x_.cwiseAbs()) : 0.0;
     if (rows && held[i]) T_[i] -= rows->push().col(i).dot(l_);
   }
+  largest_T_ = T_.lpNorm<Eigen::Infinity>();
 }
 
 // right_ := what the hinges that are not held do with the rows' forces l_:
@@ -82,10 +83,6 @@ void LimitSolver::Solve(const MatX& M, const VecX& b, const std::vector<char>& h
                         const LimitRows* rows) {
   HAZUMI_ASSERT(M.rows() == b.size() && held.size() == static_cast<size_t>(b.size()));
   SolveMixed(M, b, zero_, held, rows);
-}
-
-double LimitSolver::RoundingOf(int hinge) const {
-  return kRounding * std::max(T_.lpNorm<Eigen::Infinity>(), size_[hinge]);
 }
 
 // The first hinge at a limit that is held but would have to be pulled, or is not held and goes out.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -43,8 +44,8 @@ class LimitSolver {
   const VecX& x() const { return x_; }
   const VecX& T() const { return T_; }
   const VecX& l() const { return l_; }  // what the rows give
-  // What of T() is rounding [N m].
-  double RoundingOf(int hinge) const;
+  // Returns how much of T() is rounding [N m].
+  double RoundingOf(int hinge) const { return kRounding * std::max(largest_T_, size_[hinge]); }
   // Work since the last call, in evaluations of accelerations.
   double TakeWork() { return std::exchange(work_, 0.0); }
 
@@ -61,6 +62,7 @@ class LimitSolver {
   bool tells_motion_from_rounding_;
   MatX A_;
   VecX size_;  // of the terms that T_ is the sum of
+  double largest_T_ = 0.0;
   VecX l_;
   VecX x_, T_, right_, given_, zero_, reached_, against_;
   std::vector<int> free_;

@@ -33,7 +33,7 @@ double ReleaseSearch::Pull(double t) {
   return limits_->PullAt(t, sample_) - allowed_;
 }
 
-// The same; what is rounding is none.
+// Returns Pull, or 0 for a pull that is rounding.
 double ReleaseSearch::FeltPull(double t) {
   const double pull = Pull(t);
   return pull > 0.0 && limits_->PullsByRounding() ? 0.0 : pull;

@@ -1,7 +1,7 @@
-// Of a hinge that has come to its limits k times within 1/30 s, of n events of all hinges
-//   d = 1e-10 rad * 2^min(k - 4, n - 24, 20)   counts as at a limit,
-//   30/s * d                                   as at rest there.
-// Version 1 of the solver: n - 24 alone. [METHOD 3.5]
+// Distance d that counts as at a limit, and rate r as at rest there, for a hinge that has come to
+// its limits k times within 1/30 s, among n events of all hinges:
+//   d = 1e-10 rad * 2^max(0, min(k - 4, n - 24, 20)),   r = 30/s * d.
+// Version 1 of the solver takes n - 24 in place of k - 4. [METHOD 3.5]
 
 #include "engine/region/exact/sticky_limits.h"
 
@@ -18,7 +18,7 @@ constexpr double kWindow = 1.0 / 30.0;  // [s]
 constexpr int kMostDoublings = 20;
 constexpr int kMostArrivals = 4, kMostEvents = 24;  // before limits become sticky
 
-// More arrivals make no limit stickier.
+// Number of arrivals beyond which a limit becomes no stickier.
 constexpr std::size_t kMostTimes = kMostArrivals + kMostDoublings;
 
 void ForgetBefore(double t, std::vector<double>* times) {

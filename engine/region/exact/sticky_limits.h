@@ -25,7 +25,7 @@ class StickyLimits {
 
   double distance(int hinge) const { return distance_[static_cast<std::size_t>(hinge)]; }  // [rad]
   double rest_rate(int hinge) const { return kRatePerDistance * distance(hinge); }  // [rad/s]
-  // Of a limit that is not sticky [rad/s].
+  // Rate at rest at a limit that is not sticky [rad/s].
   static double least_rest_rate();
 
  private:

@@ -50,7 +50,7 @@ TEST(EventTrail, MarkWithoutAChange_IsNoEvent) {
   EXPECT_FALSE(EventTrail::Part(a, b, 1.0));
 }
 
-// Even where both say the same: they may be wrong alike.
+// Equal trails may be wrong alike.
 TEST(EventTrail, AnEventThatCouldBeAnother_Parts) {
   const EventMark sure = Hit(0.1, kElbow), unsure = {0.2, 0.2, 0, 0, /*is_unsure=*/true};
   const EventTrail trail = Trail({sure, unsure});
@@ -58,7 +58,7 @@ TEST(EventTrail, AnEventThatCouldBeAnother_Parts) {
   EXPECT_EQ(EventTrail::Part(trail, Trail({sure}), 1.0), 0.2);
 }
 
-// In a merged event as well.
+// Merged events keep the mark.
 TEST(EventTrail, AnEventThatCouldBeAnother_PartsBesideOthers) {
   const EventMark sure = Hit(0.1, kElbow), unsure = {0.1005, 0.1005, 0, 0, /*is_unsure=*/true};
   const EventTrail trail = Trail({sure, unsure});
