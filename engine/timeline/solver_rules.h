@@ -31,7 +31,8 @@ struct SolverRules {
         stops_by_impulse(version >= 2),
         no_friction_at_pins(version >= 2),
         tells_motion_from_rounding(version >= 2),
-        sticks_by_hinge(version >= 2) {}
+        sticks_by_hinge(version >= 2),
+        limits_follow_hinges(version >= 2) {}
 
   // Velocity of a figure that contacts place is kept where a region begins. Before: its placement
   // pinned the contacts, which stopped the figure. [METHOD 12.9]
@@ -84,8 +85,9 @@ struct SolverRules {
   // shorter than 1/16 of a step was missed. [METHOD 3.4]
   bool looks_about_poles;
   // A hinge that an impact pushes off its limit, but not for long, is stopped by an impulse that
-  // the others feel. Before: it lost its speed, and the others kept theirs, or it kept on being
-  // pushed off. [METHOD 3.5]
+  // the others feel; one that leaves its limit slowly is stopped before an impact, which may push
+  // it off. Before: the first lost its speed, and the others kept theirs, or it kept on being
+  // pushed off; the second was held, even by a pull. [METHOD 3.5]
   bool stops_by_impulse;
   // A contact whose point a pin holds, so that nothing changes its velocity along the normal, does
   // not push and has no friction. Before: a push of any size, with its friction. [METHOD 12.3]
@@ -100,6 +102,9 @@ struct SolverRules {
   // limits of all hinges did when there were many events, which stopped hinges that were only
   // passing. [METHOD 3.5]
   bool sticks_by_hinge;
+  // The limit of a hinge that is outside follows it until the hinge turns. Before: until the end of
+  // the step before, so that the hinge swung out again a little. [METHOD 3.6]
+  bool limits_follow_hinges;
 
   bool operator==(const SolverRules&) const = default;
 };
@@ -109,14 +114,15 @@ inline auto MembersOf(const SolverRules& rules) {
                feels_what_is_deep, slides_straight_beyond_stop, rests_without_gravity,
                locates_landings_exactly, pins_what_would_sink, sweeps_large_islands,
                keeps_balls_apart, opens_what_begins_to_pull, looks_about_poles, stops_by_impulse,
-               no_friction_at_pins, tells_motion_from_rounding, sticks_by_hinge] = rules;
+               no_friction_at_pins, tells_motion_from_rounding, sticks_by_hinge,
+               limits_follow_hinges] = rules;
   return std::tie(keeps_speed_of_what_touches, is_causal, releases_at_keyed_speed,
                   stands_on_springs, parts_what_is_tied, keeps_touching_links_apart,
                   lifts_plates_at_all_angles, feels_what_is_deep, slides_straight_beyond_stop,
                   rests_without_gravity, locates_landings_exactly, pins_what_would_sink,
                   sweeps_large_islands, keeps_balls_apart, opens_what_begins_to_pull,
                   looks_about_poles, stops_by_impulse, no_friction_at_pins,
-                  tells_motion_from_rounding, sticks_by_hinge);
+                  tells_motion_from_rounding, sticks_by_hinge, limits_follow_hinges);
 }
 
 }  // namespace hazumi

@@ -45,6 +45,12 @@ TEST(WorkingRegion, DoesNotStopHingesThatOnlyPassTheirLimits) {
   for (const int seed : {980000685, 982000032, 982000150}) ExpectClose(seed);
 }
 
+// A hinge that has just been let go when another one is struck, which throws it off its limit.
+TEST(WorkingRegion, LimitsDoNotPullAgainstAnImpact) { ExpectClose(986000191); }
+
+// A hinge that a pole has thrown out of its limits, whose limit follows it in until it turns.
+TEST(WorkingRegion, HoldsHingesThatAreOutsideWhereTheyTurn) { ExpectClose(986000411); }
+
 // Friction wedges a body against the ground so that no push is enough: the motion is unknown from
 // there on.
 TEST(WorkingRegion, SaysWhereAnImpactHasNoSolution) {

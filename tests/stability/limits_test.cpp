@@ -168,6 +168,21 @@ TEST(Exact, FeelsALimitThatASwingBarelyReaches) {
   }
 }
 
+// A rod that starts below its limits and swings up, but not as far as them: it stays where it
+// turns, however long the steps are.
+TEST(Exact, HoldsARodThatStartsOutsideWhereItTurns) {
+  const double start = 0.2;
+  const double weight = 1.5 * kG / (1.0 + 0.75 * 0.002 * 0.002);  // as above
+  for (const double rate : {0.5, 2.0, 4.0}) {
+    const double turn = std::acos(std::cos(start) - 0.5 * rate * rate / weight);
+    const VecX q = VecX::Constant(1, start), qd = VecX::Constant(1, rate);
+    const Course course = SwingExactly({RodWithin(2.5, 10.0), q, qd, 1.2}, 1e-6);
+    ASSERT_TRUE(course.finished);
+    EXPECT_NEAR(course.q[0], turn, 1e-6) << rate;
+    EXPECT_EQ(course.qd[0], 0.0) << rate;
+  }
+}
+
 // The second rod whirls and, where it goes up fastest, all but lifts the first off its limit or
 // does so for a moment.
 Animation WhirlOnALimit(double rate, double tolerance) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace hazumi {
 
@@ -21,6 +22,7 @@ ActiveLimits::ActiveLimits(RegionDynamics* dynamics, const LimitRange* limits)
       contact_forces_(dynamics),
       sticky_(dynamics->mode().contacts.rules(), dynamics->num_hinges()) {
   side_.assign(dynamics->num_hinges(), 0);
+  slow_side_ = side_;
   for (std::vector<char>* flags : {&held_, &sticks_, &fixed_, &held_later_}) {
     flags->assign(dynamics->num_hinges(), 0);
   }
@@ -116,6 +118,7 @@ int ActiveLimits::FindSides(double t, bool with_impulse, const HingeState& state
 // others feel what the limit would give them until the hinge is back. [METHOD 3.5]
 void ActiveLimits::Collide(double t, HingeState* state, ImpactLog* log) {
   const bool is_tied = dynamics_->mode().constraints.any() || is_touching_;
+  if (dynamics_->mode().contacts.rules().stops_by_impulse) StopSlow(t, state);
   bool any_stops = true;
   while (any_stops) {
     is_tied ? CollideTied(t, state) : Strike(t, state);
@@ -134,6 +137,26 @@ void ActiveLimits::Collide(double t, HingeState* state, ImpactLog* log) {
     }
   }
   if (is_touching_) TellOfContacts(t, log);
+}
+
+// Stops what leaves its limit slowly before the impact of what is struck: that may push it off, and
+// no limit pulls against it.
+void ActiveLimits::StopSlow(double t, HingeState* state) {
+  bool any_slow = false, is_struck = is_touching_ || !state->pin_velocity.isZero(0.0);
+  for (size_t i = 0; i < side_.size(); ++i) {
+    slow_side_[i] = sticks_[i] && !fixed_[i] ? side_[i] : 0;
+    any_slow |= slow_side_[i] != 0;
+    is_struck |= side_[i] * state->qd[i] > 0.0;
+  }
+  if (!any_slow || !is_struck) return;
+  const Vec3 pin_velocity = std::exchange(state->pin_velocity, Vec3::Zero());
+  const bool touches = std::exchange(is_touching_, false);
+  slow_side_.swap(side_);
+  dynamics_->mode().constraints.any() ? CollideTied(t, state) : Strike(t, state);
+  slow_side_.swap(side_);
+  is_touching_ = touches;
+  state->pin_velocity = pin_velocity;
+  sticks_ = fixed_;
 }
 
 // Contacts' work is that of one impact.

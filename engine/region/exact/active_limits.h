@@ -64,6 +64,7 @@ class ActiveLimits {
   void Collide(double t, HingeState* state, ImpactLog* log);
   void TellOfContacts(double t, ImpactLog* log) const;
   void CollideTied(double t, HingeState* state);
+  void StopSlow(double t, HingeState* state);
   void Strike(double t, HingeState* state);
   bool stops_by_impulse() const;
   bool IsPushedOff(int hinge, const HingeState& state) const;
@@ -82,6 +83,7 @@ class ActiveLimits {
   ContactForces contact_forces_;
   bool is_touching_ = false;
   std::vector<int> side_;  // the limit it is at, as LimitSolver
+  std::vector<int> slow_side_;
   std::vector<char> held_, sticks_, fixed_, held_later_;
   bool any_ = false;
   StickyLimits sticky_;

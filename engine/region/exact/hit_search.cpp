@@ -170,10 +170,20 @@ double HitSearch::PoleRate(const Pole& pole) const { return look_.qd[FirstHinge(
 // When a hinge goes out between two looks: it is outside at the second one, or was in between,
 // having turned back.
 std::optional<double> HitSearch::FindCrossing(int hinge, int side, double before, double t) {
-  const double f0 = limits_->Beyond(hinge, side, before_.q[hinge]),
-               f1 = limits_->Beyond(hinge, side, look_.q[hinge]);
-  if (f1 > kTouch) return CrossingTime(hinge, side, before, t);
-  double g0 = side * before_.qd[hinge], g1 = side * look_.qd[hinge];
+  Limit limit = {hinge, side, limits_->limit(hinge, side)};
+  double q0 = before_.q[hinge], g0 = side * before_.qd[hinge], g1 = side * look_.qd[hinge];
+  if (rules().limits_follow_hinges && limits_->IsMoved(hinge, side, limit.at)) {
+    limit.at = limits_->Followed(hinge, side, q0);
+    if (g0 <= 0.0 && g1 > 0.0) {
+      before = TurnTime(hinge, side, before, t);
+      q0 = sample_.q[hinge];
+      g0 = side * sample_.qd[hinge];
+      limit.at = limits_->Followed(hinge, side, q0);
+      if (limits_->IsMoved(hinge, side, limit.at)) return before;
+    }
+  }
+  const double f0 = limit.Beyond(q0), f1 = limit.Beyond(look_.q[hinge]);
+  if (f1 > kTouch) return CrossingTime(limit, before, t);
   const double h = t - before;
   if (g0 <= 0.0 || g1 >= 0.0 || std::max(f0, f1) + h * std::max(g0, -g1) <= 0.0) {
     return std::nullopt;
@@ -183,9 +193,7 @@ std::optional<double> HitSearch::FindCrossing(int hinge, int side, double before
     const double top =
         std::clamp(a + (b - a) * g0 / (g0 - g1), a + 0.05 * (b - a), b - 0.05 * (b - a));
     Look(top, &sample_);
-    if (limits_->Beyond(hinge, side, sample_.q[hinge]) > kTouch) {
-      return CrossingTime(hinge, side, before, top);
-    }
+    if (limit.Beyond(sample_.q[hinge]) > kTouch) return CrossingTime(limit, before, top);
     const double g = side * sample_.qd[hinge];
     (g > 0.0 ? a : b) = top;
     (g > 0.0 ? g0 : g1) = g;
@@ -193,23 +201,34 @@ std::optional<double> HitSearch::FindCrossing(int hinge, int side, double before
   return std::nullopt;
 }
 
+// When a hinge that came in between two looks turns out again; sample_ is there then.
+double HitSearch::TurnTime(int hinge, int side, double before, double t) {
+  const auto rate = [&](double at) {
+    Look(at, &sample_);
+    return side * sample_.qd[hinge];
+  };
+  const double turn = Narrow({before, rate(before), t, rate(t)}, kSameTime, rate).b;
+  Look(turn, &sample_);
+  return turn;
+}
+
 // Between a time at which the hinge is inside and one at which it is outside.
 // Half of kTouch counts as inside, so that a hinge that leaves its limit has not crossed it. Nor
 // has one that is outside by rounding and on its way in, until it comes back: else it would meet
 // its limit again and again. (Version 1 of the solver counts it as a crossing without drives,
 // forces and constraints, and with these does not look for its return.)
-std::optional<double> HitSearch::CrossingTime(int hinge, int side, double inside, double outside) {
+std::optional<double> HitSearch::CrossingTime(const Limit& limit, double inside, double outside) {
   const auto out = [&](double t) {
     Look(t, &sample_);
-    return limits_->Beyond(hinge, side, sample_.q[hinge]) - 0.5 * kTouch;
+    return limit.Beyond(sample_.q[limit.hinge]) - 0.5 * kTouch;
   };
   const auto rate = [&](double t) {
     Look(t, &sample_);
-    return side * sample_.qd[hinge];
+    return limit.side * sample_.qd[limit.hinge];
   };
   const double in = std::min(out(inside), -kTouch);
   const double t = Narrow({inside, in, outside, out(outside)}, 1e-14, out, 1e-14).b;
-  if (!dynamics_->mode().contacts.rules().tells_motion_from_rounding) {
+  if (!rules().tells_motion_from_rounding) {
     return !dynamics_->is_pushed() || rate(t) > 0.0 ? std::optional(t) : std::nullopt;
   }
   const double rate_then = rate(t);

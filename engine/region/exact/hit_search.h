@@ -39,9 +39,16 @@ class HitSearch {
   bool Leaves(const Pole& pole);
   std::optional<Pole> PoleAt(const Crossing& hit) const;
   double PoleRate(const Pole& pole) const;
+  const SolverRules& rules() const { return dynamics_->mode().contacts.rules(); }
   int FirstHinge(int node) const { return dynamics_->layout().node(node).first_hinge; }
   std::optional<double> FindCrossing(int hinge, int side, double before, double t);
-  std::optional<double> CrossingTime(int hinge, int side, double inside, double outside);
+  double TurnTime(int hinge, int side, double before, double t);
+  struct Limit {
+    int hinge, side;
+    double at;  // [rad]
+    double Beyond(double q) const { return side * (q - at); }
+  };
+  std::optional<double> CrossingTime(const Limit& limit, double inside, double outside);
 
   const RegionDynamics* dynamics_;
   const LimitRange* limits_;

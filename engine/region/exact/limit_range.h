@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "engine/spatial/types.h"
 
 namespace hazumi {
@@ -17,6 +19,15 @@ class LimitRange {
   const VecX& upper() const { return upper_now_; }
   double limit(int hinge, int side) const {
     return side > 0 ? upper_now_[hinge] : lower_now_[hinge];
+  }
+  // Where the limit is once it has followed a hinge that is outside to q.
+  double Followed(int hinge, int side, double q) const {
+    return side > 0 ? std::max(upper_[hinge], std::min(upper_now_[hinge], q))
+                    : std::min(lower_[hinge], std::max(lower_now_[hinge], q));
+  }
+  // Whether that is further out than the limit that was given.
+  bool IsMoved(int hinge, int side, double limit) const {
+    return side * (limit - (side > 0 ? upper_ : lower_)[hinge]) > 0.5 * kTouch;
   }
   // No room between them.
   bool is_fixed(int hinge) const { return upper_now_[hinge] - lower_now_[hinge] <= 2.0 * kTouch; }
