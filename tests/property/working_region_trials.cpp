@@ -87,8 +87,9 @@ struct References {
   double apart = HUGE_VAL;  // [deg]; unknown if one of them failed
 };
 
-References Together(const Animation& animation, Result<Motion> coarse, Result<Motion> fine) {
-  References references = {std::move(coarse), std::move(fine)};
+References Together(const Animation& animation, const Result<Motion>& coarse,
+                    const Result<Motion>& fine) {
+  References references = {coarse, fine};
   if (!references.coarse.ok() || !references.fine.ok()) return references;
   const double until = EstimatedUntil(references.fine.value());
   references.apart =
@@ -96,13 +97,22 @@ References Together(const Animation& animation, Result<Motion> coarse, Result<Mo
   return references;
 }
 
-// Returns the two of three references that agree best: rounding grows with the number of steps, so
-// that the finest one is not always the best.
+// Returns the two references that agree best: rounding grows with the number of steps, and now and
+// then it decides the order of two hits, so that the finest one is not always the best.
 References ReferencesOf(const Animation& animation) {
-  References fine = Together(animation, ReferenceAt(animation, 1e-4), ReferenceAt(animation, 1e-5));
-  if (fine.apart < 0.1 * kTolerance) return fine;
-  References coarse = Together(animation, ReferenceAt(animation, 1e-3), fine.coarse);
-  return coarse.apart < fine.apart || !fine.fine.ok() ? coarse : fine;
+  std::vector<Result<Motion>> motions = {ReferenceAt(animation, 1e-4),
+                                         ReferenceAt(animation, 1e-5)};
+  References best = Together(animation, motions[0], motions[1]);
+  for (const double share : {1e-3, 3e-4, 3e-5}) {
+    if (best.apart < 0.1 * kTolerance) break;
+    const Result<Motion> another = ReferenceAt(animation, share);
+    for (const Result<Motion>& motion : motions) {
+      const References pair = Together(animation, another, motion);
+      if (pair.apart < best.apart) best = pair;
+    }
+    motions.push_back(another);
+  }
+  return best;
 }
 
 void Count(const Trial& trial, Tally* tally) {
