@@ -104,7 +104,8 @@ constexpr CheckText kTexts[] = {
     {Check::kJointAndObject, kSchema, "is fixed to {} and to {}; keep one of them"},
 
     {Check::kOutsideFrames, kSemantics,
-     "frames {} to {} are not within the project's frames {} to {}"},
+     "frames {} to {} are not within the project's frames {} to {}; move them or lengthen the "
+     "project"},
     {Check::kReleaseOutside, kSemantics, "frame {} is not within the project's frames {} to {}"},
     {Check::kPlacedByNobody, kSemantics,
      "nobody has {} in frame {}, and it has no position; give it a joint or keys of its position"},

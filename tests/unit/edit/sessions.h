@@ -14,7 +14,7 @@ inline void Do(edit::Session* session, const std::string& id, const edit::Json& 
   EXPECT_TRUE(done.ok()) << id << " " << (done.ok() ? "" : done.error().ToString());
 }
 
-// The error of an operator that must fail and change nothing.
+// The error of an operator that must fail and change nothing: "ID.PARAMETER: ..." or "ID: ...".
 inline Error Refused(edit::Session* session, const std::string& id, const edit::Json& parameters) {
   const std::string before = WriteProject(session->project());
   const size_t steps = session->document().num_steps();

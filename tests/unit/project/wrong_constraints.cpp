@@ -88,10 +88,12 @@ std::vector<WrongProject> ConstraintContradictions() {
   return {
       {Check::kOutsideFrames,
        Compile(WithConstraints(kGrip, {{"/constraints/0/last_frame", "31"}})),
-       "constraints[0]: frames 5 to 31 are not within the project's frames 0 to 30"},
+       "constraints[0]: frames 5 to 31 are not within the project's frames 0 to 30; move them or "
+       "lengthen the project"},
       {Check::kOutsideFrames,
        Compile(WithConstraints(kRope, {{"/constraints/0/first_frame", "-1"}})),
-       "constraints[0]: frames -1 to 15 are not within the project's frames 0 to 30"},
+       "constraints[0]: frames -1 to 15 are not within the project's frames 0 to 30; move them or "
+       "lengthen the project"},
       {Check::kObjectChangesHands, to("ball"),
        "constraints[0].b: \"ball\" is not in one hand in all of the frames 5 to 15: \"r_wrist\" in "
        "frames 0 to 9; end the constraint where it is let go, or name a joint"},

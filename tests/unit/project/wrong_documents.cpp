@@ -200,11 +200,14 @@ std::vector<WrongProject> WrongNames() {
 std::vector<WrongProject> Contradictions() {
   return {
       {Check::kOutsideFrames, Compile({{"/regions/1/last_frame", "31"}}),
-       "regions[1]: frames 15 to 31 are not within the project's frames 0 to 30"},
+       "regions[1]: frames 15 to 31 are not within the project's frames 0 to 30; move them or "
+       "lengthen the project"},
       {Check::kOutsideFrames, Compile({{"/placements/2/first_frame", "-1"}}),
-       "placements[2]: frames -1 to 5 are not within the project's frames 0 to 30"},
+       "placements[2]: frames -1 to 5 are not within the project's frames 0 to 30; move them or "
+       "lengthen the project"},
       {Check::kOutsideFrames, Compile({{"/holds/0/last_frame", "40"}}),
-       "holds[0]: frames 0 to 40 are not within the project's frames 0 to 30"},
+       "holds[0]: frames 0 to 40 are not within the project's frames 0 to 30; move them or "
+       "lengthen the project"},
       {Check::kReleaseOutside, Compile({{"/held_objects/0/release_frame", "31"}}),
        "held_objects[0].release_frame: frame 31 is not within the project's frames 0 to 30"},
       {Check::kReleaseOutside,

@@ -56,7 +56,8 @@ std::vector<WrongProject> WrongForceValues() {
 std::vector<WrongProject> ForceContradictions() {
   return {
       {Check::kOutsideFrames, Compile(WithForces(kBreeze, {{"/forces/0/last_frame", "31"}})),
-       "forces[0]: frames 5 to 31 are not within the project's frames 0 to 30"},
+       "forces[0]: frames 5 to 31 are not within the project's frames 0 to 30; move them or "
+       "lengthen the project"},
       {Check::kReleaseOutside, Compile(WithForces(kBlow, {{"/forces/0/frame", "30"}})),
        "forces[0].frame: frame 30 is not within the project's frames 0 to 29"},
       {Check::kWindsOverlap, Compile(WithForces(kBreeze + "," + kGust)),

@@ -8,6 +8,7 @@
 #include "engine/base/input_files.h"
 #include "engine/base/text.h"
 #include "engine/project/checks/joint_names.h"
+#include "engine/project/items.h"
 #include "engine/project/project_files.h"
 #include "render/motion/figure_skin.h"
 #include "ui/edit/document/change.h"
@@ -113,10 +114,13 @@ void Editor::DropObject(const std::string& id) {
 // The properties open what was added and has no other place where it is changed.
 void Editor::ShowAdded(const std::string& id) {
   const Project& project = session_.project();
-  if (id == "force.add") side.added = project.forces.back().identity.id;
-  if (id == "constraint.add" || id == "constraint.hold_on") {
-    side.added = project.constraints.back().identity.id;
-  }
+  const auto show = [&]<typename Item>(auto kind, const std::vector<Item>& items) {
+    if constexpr (HasTitle<Item>) {
+      if (id == kind.kAdd) side.added = items.back().identity.id;
+    }
+  };
+  ForEachItemList(show, project);
+  if (id == "constraint.hold_on") side.added = project.constraints.back().identity.id;
 }
 
 // A key that was made while a region moves its joint is not seen there: who wonders why is told.
