@@ -237,6 +237,15 @@ std::optional<double> ContinuousGravity::FindOutside(double t0, double t1, const
   return ClearanceAt(top, pose, ws) >= 0.0 ? std::optional(top) : std::nullopt;
 }
 
+// Depth at take-off counts as ground until the figure has been outside, or as good as outside,
+// where a contact of a region may hold it. Version 1 of the solver raised it to the least depth at
+// the samples.
+double ContinuousGravity::RaisedGround(double clearance) const {
+  if (clearance >= 0.0) return 0.0;
+  if (!rules_.locates_landings_exactly) return clearance;
+  return clearance >= -kHeld ? -kHeld : state_.allowed;
+}
+
 // Conservative advancement: from a time with clearance c nothing is touched for c / speed seconds.
 // Touching within kTouching, as just after take-off, it goes on in short steps. What took off from
 // inside is looked at the more often the nearer it is to getting out.
@@ -252,7 +261,8 @@ std::optional<GravityEvent> ContinuousGravity::FindLanding(double t0, double t1,
     const double least = is_leaving ? (t1 - t0) / 64.0 : 1e-6;
     double way = std::max(gap / speed, least);
     const double inside = -(state_.allowed + gap);
-    const bool looks_for_outside = rules_.locates_landings_exactly && inside > 0.0;
+    const bool looks_for_outside =
+        rules_.locates_landings_exactly && inside > 0.0 && state_.allowed < -kHeld;
     if (looks_for_outside) way = std::min(way, std::max(inside / speed, (t1 - t0) / 64.0));
     const double next = std::min(t1, t + way);
     const double next_gap = -depth(next);
@@ -279,10 +289,8 @@ std::optional<GravityEvent> ContinuousGravity::FindLanding(double t0, double t1,
     is_leaving = next_gap > gap;
     t = next;
     gap = next_gap;
-    // Depth at take-off counts as ground until the figure has been outside. Version 1 of the solver
-    // raised it to the least depth at the samples.
-    const double raised = std::min(0.0, state_.allowed + gap);
-    if (raised > state_.allowed && (raised == 0.0 || !rules_.locates_landings_exactly)) {
+    const double raised = RaisedGround(state_.allowed + gap);
+    if (raised > state_.allowed) {
       gap -= raised - state_.allowed;
       state_.allowed = raised;
     }

@@ -81,6 +81,7 @@ class ContinuousGravity {
   double Rise(double t, const Pose& pose, DynamicsWorkspace* ws) const;
   std::optional<double> FindOutside(double t0, double t1, const Pose& pose,
                                     DynamicsWorkspace* ws) const;
+  double RaisedGround(double clearance) const;
   std::optional<GravityEvent> FindLanding(double t0, double t1, const Pose& pose,
                                           DynamicsWorkspace* ws);
   std::optional<double> ApexIn(double t0, double t1, const Pose& pose) const;

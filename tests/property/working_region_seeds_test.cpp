@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/bake/bake.h"
+#include "engine/spatial/degrees.h"
 #include "tests/property/working_region_trials.h"
 
 namespace hazumi::test {
@@ -50,6 +51,22 @@ TEST(WorkingRegion, LimitsDoNotPullAgainstAnImpact) { ExpectClose(986000191); }
 
 // A hinge that a pole has thrown out of its limits, whose limit follows it in until it turns.
 TEST(WorkingRegion, HoldsHingesThatAreOutsideWhereTheyTurn) { ExpectClose(986000411); }
+
+// Steps a million times as fine as the first ones do no better.
+TEST(WorkingRegion, SaysWhereTheFinestStepsDoNotHelp) {
+  Animation animation = RandomWorkingRegion(987000688).animation;
+  animation.solver.tolerance = kTolerance * kDegree;
+  const Result<Motion> motion = Bake(animation);
+  ASSERT_TRUE(motion.ok());
+  const auto says = [](const Warning& warning) {
+    return warning.message.find("finer steps do not help") != std::string::npos;
+  };
+  EXPECT_TRUE(std::any_of(motion.value().warnings.begin(), motion.value().warnings.end(), says));
+}
+
+// A figure in flight that a contact of its region holds, next to where another point lands: a
+// landing comes first, however deep the first point is held.
+TEST(WorkingRegion, LandsBesideAContactThatHoldsIt) { ExpectClose(988000778); }
 
 // Friction wedges a body against the ground so that no push is enough: the motion is unknown from
 // there on.
