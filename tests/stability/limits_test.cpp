@@ -168,18 +168,34 @@ TEST(Exact, FeelsALimitThatASwingBarelyReaches) {
   }
 }
 
-// A rod that starts below its limits and swings up, but not as far as them: it stays where it
-// turns, however long the steps are.
+// A rod that starts outside its limits and swings up, but not as far as them: it stays where it
+// turns, however long the steps are. On both sides.
 TEST(Exact, HoldsARodThatStartsOutsideWhereItTurns) {
   const double start = 0.2;
   const double weight = 1.5 * kG / (1.0 + 0.75 * 0.002 * 0.002);  // as above
-  for (const double rate : {0.5, 2.0, 4.0}) {
-    const double turn = std::acos(std::cos(start) - 0.5 * rate * rate / weight);
-    const VecX q = VecX::Constant(1, start), qd = VecX::Constant(1, rate);
-    const Course course = SwingExactly({RodWithin(2.5, 10.0), q, qd, 1.2}, 1e-6);
+  for (const double tolerance : {1e-4, 1e-6, 1e-9}) {
+    for (const double rate : {0.5, 2.0, 4.0}) {
+      const double turn = std::acos(std::cos(start) - 0.5 * rate * rate / weight);
+      for (const int side : {-1, 1}) {
+        const Figure rod = side < 0 ? RodWithin(2.5, 10.0) : RodWithin(-10.0, -2.5);
+        const VecX q = VecX::Constant(1, -side * start), qd = VecX::Constant(1, -side * rate);
+        const Course course = SwingExactly({rod, q, qd, 1.2}, tolerance);
+        ASSERT_TRUE(course.finished);
+        EXPECT_NEAR(course.q[0], -side * turn, tolerance) << rate << " rad/s";
+        EXPECT_EQ(course.qd[0], 0.0) << rate << " rad/s";
+      }
+    }
+  }
+}
+
+// A rod that starts outside and swings through its limit has that limit from there on.
+TEST(Exact, GivesARodThatCameInItsOwnLimit) {
+  const double limit = 0.5;
+  for (const double tolerance : {1e-4, 1e-6, 1e-9}) {
+    const VecX q = VecX::Constant(1, 0.2), qd = VecX::Constant(1, 3.0);
+    const Course course = SwingExactly({RodWithin(limit, 10.0), q, qd, 2.0}, tolerance);
     ASSERT_TRUE(course.finished);
-    EXPECT_NEAR(course.q[0], turn, 1e-6) << rate;
-    EXPECT_EQ(course.qd[0], 0.0) << rate;
+    EXPECT_NEAR(course.q[0], limit, 1e-9) << tolerance;
   }
 }
 

@@ -158,8 +158,8 @@ void Refinements::Report(const std::vector<int>& regions, Recorder* recorder) co
     if (report.method != Method::kExact) continue;
     const Refinement& own = of_region_[r];
     report.error_estimate = std::max(report.error_estimate, own.kept_estimate);
-    const bool is_no_help = own.is_settled && own.tries > 0 && !own.has_failed;
-    if (is_no_help) report.error_estimate *= kSensitive;
+    const bool is_sensitive = own.is_settled && own.tries > 0 && !own.has_failed;
+    if (is_sensitive) report.error_estimate *= kSensitive;
     const bool is_of_kept = own.kept_distance > report.error_estimate;
     report.error_estimate = std::max(report.error_estimate, own.kept_distance);
     if (report.error_estimate <= report.tolerance) continue;

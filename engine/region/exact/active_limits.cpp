@@ -22,7 +22,7 @@ ActiveLimits::ActiveLimits(RegionDynamics* dynamics, const LimitRange* limits)
       contact_forces_(dynamics),
       sticky_(dynamics->mode().contacts.rules(), dynamics->num_hinges()) {
   side_.assign(dynamics->num_hinges(), 0);
-  slow_side_ = side_;
+  side_of_rest_ = side_;
   for (std::vector<char>* flags : {&held_, &sticks_, &fixed_, &held_later_}) {
     flags->assign(dynamics->num_hinges(), 0);
   }
@@ -142,20 +142,21 @@ void ActiveLimits::Collide(double t, HingeState* state, ImpactLog* log) {
 // Stops what leaves its limit slowly before the impact of what is struck: that may push it off, and
 // no limit pulls against it.
 void ActiveLimits::StopSlow(double t, HingeState* state) {
-  bool any_slow = false, is_struck = is_touching_ || !state->pin_velocity.isZero(0.0);
+  const RegionMode& mode = dynamics_->mode();
+  bool any_slow = false;
+  bool is_struck = is_touching_ || mode.constraints.any() || !state->pin_velocity.isZero(0.0);
   for (size_t i = 0; i < side_.size(); ++i) {
-    slow_side_[i] = sticks_[i] && !fixed_[i] ? side_[i] : 0;
-    any_slow |= slow_side_[i] != 0;
-    is_struck |= side_[i] * state->qd[i] > 0.0;
+    const bool goes_out = fixed_[i] ? state->qd[i] != 0.0 : side_[i] * state->qd[i] > 0.0;
+    is_struck |= goes_out;
+    any_slow |= sticks_[i] && !fixed_[i];
+    side_of_rest_[i] = goes_out ? 0 : side_[i];
   }
   if (!any_slow || !is_struck) return;
-  const Vec3 pin_velocity = std::exchange(state->pin_velocity, Vec3::Zero());
-  const bool touches = std::exchange(is_touching_, false);
-  slow_side_.swap(side_);
-  dynamics_->mode().constraints.any() ? CollideTied(t, state) : Strike(t, state);
-  slow_side_.swap(side_);
-  is_touching_ = touches;
-  state->pin_velocity = pin_velocity;
+  forces_.Impact(t, side_of_rest_, sticks_, state, LimitForces::Strikes::kHingesAlone);
+  if (mode.any_rows()) {
+    const std::vector<ConstraintRow>& rows = dynamics_->rows().rows();
+    state->outer.Jump(dynamics_->bodies().VelocityChanges(rows, forces_.row_impulses()));
+  }
   sticks_ = fixed_;
 }
 

@@ -82,8 +82,8 @@ class ActiveLimits {
   LimitForces forces_;
   ContactForces contact_forces_;
   bool is_touching_ = false;
-  std::vector<int> side_;  // the limit it is at, as LimitSolver
-  std::vector<int> slow_side_;
+  std::vector<int> side_;          // the limit it is at, as LimitSolver
+  std::vector<int> side_of_rest_;  // likewise, of what does not go out
   std::vector<char> held_, sticks_, fixed_, held_later_;
   bool any_ = false;
   StickyLimits sticky_;

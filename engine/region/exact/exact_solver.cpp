@@ -278,6 +278,7 @@ std::optional<ExactFailure> ExactSolver::AdvanceInTime(double end) {
   if (has_blow || time() >= *step_end_ - kSameTime) next_ = Next::kEvent;
   if (dynamics_->mode().constraints.may_break() && FindBreak()) next_ = Next::kEvent;
   CutAt(end);
+  if (dynamics_->mode().contacts.rules().limits_follow_hinges) range_.Tighten(now().q);
   return std::nullopt;
 }
 

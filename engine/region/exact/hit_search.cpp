@@ -168,18 +168,22 @@ bool HitSearch::Leaves(const Pole& pole) {
 double HitSearch::PoleRate(const Pole& pole) const { return look_.qd[FirstHinge(pole.node) + 1]; }
 
 // When a hinge goes out between two looks: it is outside at the second one, or was in between,
-// having turned back.
+// having turned back; or it came in from outside, its limit following it, and has turned out again.
 std::optional<double> HitSearch::FindCrossing(int hinge, int side, double before, double t) {
   Limit limit = {hinge, side, limits_->limit(hinge, side)};
   double q0 = before_.q[hinge], g0 = side * before_.qd[hinge], g1 = side * look_.qd[hinge];
-  if (rules().limits_follow_hinges && limits_->IsMoved(hinge, side, limit.at)) {
-    limit.at = limits_->Followed(hinge, side, q0);
+  if (rules().limits_follow_hinges && limits_->IsFurtherOut(limit.at, hinge, side)) {
+    limit.at = limits_->LimitFollowing(q0, hinge, side);
     if (g0 <= 0.0 && g1 > 0.0) {
-      before = TurnTime(hinge, side, before, t);
+      const double turn = Narrow({before, g0, t, g1}, kSameTime, [&](double at) {
+                            return RateAt(at, hinge, side);
+                          }).b;
+      g0 = RateAt(turn, hinge, side);
       q0 = sample_.q[hinge];
-      g0 = side * sample_.qd[hinge];
-      limit.at = limits_->Followed(hinge, side, q0);
-      if (limits_->IsMoved(hinge, side, limit.at)) return before;
+      before = turn;
+      limit.at = limits_->LimitFollowing(q0, hinge, side);
+      const bool is_back = side * (look_.q[hinge] - q0) > kTouch;
+      if (is_back && limits_->IsFurtherOut(limit.at, hinge, side)) return turn;
     }
   }
   const double f0 = limit.Beyond(q0), f1 = limit.Beyond(look_.q[hinge]);
@@ -201,15 +205,10 @@ std::optional<double> HitSearch::FindCrossing(int hinge, int side, double before
   return std::nullopt;
 }
 
-// When a hinge that came in between two looks turns out again; sample_ is there then.
-double HitSearch::TurnTime(int hinge, int side, double before, double t) {
-  const auto rate = [&](double at) {
-    Look(at, &sample_);
-    return side * sample_.qd[hinge];
-  };
-  const double turn = Narrow({before, rate(before), t, rate(t)}, kSameTime, rate).b;
-  Look(turn, &sample_);
-  return turn;
+// Outwards [rad/s]. Leaves the angles at that time in sample_.
+double HitSearch::RateAt(double t, int hinge, int side) {
+  Look(t, &sample_);
+  return side * sample_.qd[hinge];
 }
 
 // Between a time at which the hinge is inside and one at which it is outside.
@@ -222,10 +221,7 @@ std::optional<double> HitSearch::CrossingTime(const Limit& limit, double inside,
     Look(t, &sample_);
     return limit.Beyond(sample_.q[limit.hinge]) - 0.5 * kTouch;
   };
-  const auto rate = [&](double t) {
-    Look(t, &sample_);
-    return limit.side * sample_.qd[limit.hinge];
-  };
+  const auto rate = [&](double t) { return RateAt(t, limit.hinge, limit.side); };
   const double in = std::min(out(inside), -kTouch);
   const double t = Narrow({inside, in, outside, out(outside)}, 1e-14, out, 1e-14).b;
   if (!rules().tells_motion_from_rounding) {

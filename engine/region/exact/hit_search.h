@@ -42,7 +42,7 @@ class HitSearch {
   const SolverRules& rules() const { return dynamics_->mode().contacts.rules(); }
   int FirstHinge(int node) const { return dynamics_->layout().node(node).first_hinge; }
   std::optional<double> FindCrossing(int hinge, int side, double before, double t);
-  double TurnTime(int hinge, int side, double before, double t);
+  double RateAt(double t, int hinge, int side);
   struct Limit {
     int hinge, side;
     double at;  // [rad]

@@ -28,16 +28,24 @@ SomeHinges LimitForces::AssembleSome(double t, const HingeState& state, IsWanted
 }
 
 void LimitForces::Impact(double t, const std::vector<int>& side, const std::vector<char>& sticks,
-                         HingeState* state) {
+                         HingeState* state, Strikes strikes) {
   dynamics_->AddWork({.limits = solver_.TakeWork()});  // work of the previous call
   VecX& qd = state->qd;
+  const bool all_strikes = strikes == Strikes::kAll;
   if (!dynamics_->is_large()) {
     const HingeEquations equations = dynamics_->AssembleHinges(t, *state);
-    equations.StopPin(&impulse_);
-    return solver_.Impact(equations.M(), impulse_, side, sticks, &qd, equations.for_impulses());
+    const LimitRows* const rows = equations.for_impulses();
+    if (all_strikes) {
+      equations.StopPin(&impulse_);
+      return solver_.Impact(equations.M(), impulse_, side, sticks, &qd, rows);
+    }
+    LimitRows kept = rows ? *rows : LimitRows();
+    kept.c.setZero();
+    impulse_.setZero();
+    return solver_.Impact(equations.M(), impulse_, side, sticks, &qd, rows ? &kept : nullptr);
   }
   const SomeHinges equations = AssembleSome(t, *state, [&](int i) { return side[i] != 0; });
-  if (equations.stops_pin()) qd += equations.RatesOfStop();
+  if (all_strikes && equations.stops_pin()) qd += equations.RatesOfStop();
   const auto k = static_cast<Eigen::Index>(some_.size());
   VecX before(k), after(k);
   side_.clear();

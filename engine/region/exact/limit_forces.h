@@ -15,9 +15,10 @@ class LimitForces {
   explicit LimitForces(RegionDynamics* dynamics);
 
   // An impact of what goes out, of a pin that is stopped, and of ends of constraints that part.
-  // Changes the rates.
+  // Changes the rates. kHingesAlone: neither the pin nor ends of constraints change their rates.
+  enum class Strikes { kAll, kHingesAlone };
   void Impact(double t, const std::vector<int>& side, const std::vector<char>& sticks,
-              HingeState* state);
+              HingeState* state, Strikes strikes = Strikes::kAll);
   // Which hinges at rest at a limit stay there.
   void Rest(double t, const HingeState& state, const std::vector<int>& side,
             const std::vector<char>& fixed, std::vector<char>* held);

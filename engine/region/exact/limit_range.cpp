@@ -32,8 +32,10 @@ void LimitRange::Widen(const VecX& q) {
 
 void LimitRange::Tighten(const VecX& q) {
   HAZUMI_ASSERT(q.size() == lower_.size());
-  lower_now_ = lower_.cwiseMin(lower_now_.cwiseMax(q));
-  upper_now_ = upper_.cwiseMax(upper_now_.cwiseMin(q));
+  for (int i = 0; i < static_cast<int>(q.size()); ++i) {
+    lower_now_[i] = LimitFollowing(q[i], i, -1);
+    upper_now_[i] = LimitFollowing(q[i], i, 1);
+  }
 }
 
 double LimitRange::Outside(int hinge, double q) const {

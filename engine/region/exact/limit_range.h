@@ -20,13 +20,13 @@ class LimitRange {
   double limit(int hinge, int side) const {
     return side > 0 ? upper_now_[hinge] : lower_now_[hinge];
   }
-  // Where the limit is once it has followed a hinge that is outside to q.
-  double Followed(int hinge, int side, double q) const {
+  // Returns the limit once it has followed a hinge that is outside to q.
+  double LimitFollowing(double q, int hinge, int side) const {
     return side > 0 ? std::max(upper_[hinge], std::min(upper_now_[hinge], q))
                     : std::min(lower_[hinge], std::max(lower_now_[hinge], q));
   }
-  // Whether that is further out than the limit that was given.
-  bool IsMoved(int hinge, int side, double limit) const {
+  // Returns whether `limit` is further out than the one that was given.
+  bool IsFurtherOut(double limit, int hinge, int side) const {
     return side * (limit - (side > 0 ? upper_ : lower_)[hinge]) > 0.5 * kTouch;
   }
   // No room between them.
