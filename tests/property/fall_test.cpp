@@ -144,7 +144,7 @@ void Try(int seed, Terrain terrain, With with, Tally* tally) {
 
 void TryAll(Terrain terrain, With with = With::kTheScene) {
   Tally tally;
-  for (const int seed : RandomCases(1, 10)) Try(seed, terrain, with, &tally);
+  for (const int seed : RandomCases(1, 20)) Try(seed, terrain, with, &tally);
   std::printf(
       "%d cases, %d failed, %d begin inside themselves, %d too deep, %d still moving, %d accounts "
       "open, %d given energy, "

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include "engine/bake/bake.h"
 #include "engine/project/checks/animation_checks.h"
@@ -82,37 +85,38 @@ void LookAtAccount(const Motion& motion, Trial* trial) {
   trial->is_open_unsaid = trial->is_open && !HasWarning("unexplained", motion);
 }
 
+// Two solutions with finer steps than usual.
 struct References {
   Result<Motion> coarse, fine;
-  double apart = HUGE_VAL;  // [deg]; unknown if one of them failed
+  double apart = HUGE_VAL;  // up to some frame [deg]; unknown if one of them failed
 };
 
-References Together(const Animation& animation, const Result<Motion>& coarse,
-                    const Result<Motion>& fine) {
-  References references = {coarse, fine};
-  if (!references.coarse.ok() || !references.fine.ok()) return references;
-  const double until = EstimatedUntil(references.fine.value());
-  references.apart =
-      FurthestApart(animation, references.coarse.value(), references.fine.value(), until);
-  return references;
-}
-
-// Returns the two references that agree best: rounding grows with the number of steps, and now and
-// then it decides the order of two hits, so that the finest one is not always the best.
-References ReferencesOf(const Animation& animation) {
-  std::vector<Result<Motion>> motions = {ReferenceAt(animation, 1e-4),
-                                         ReferenceAt(animation, 1e-5)};
-  References best = Together(animation, motions[0], motions[1]);
-  for (const double share : {1e-3, 3e-4, 3e-5}) {
-    if (best.apart < 0.1 * kTolerance) break;
-    const Result<Motion> another = ReferenceAt(animation, share);
-    for (const Result<Motion>& motion : motions) {
-      const References pair = Together(animation, another, motion);
-      if (pair.apart < best.apart) best = pair;
+// Returns the two of up to five references that agree best up to a frame: rounding grows with the
+// number of steps, and now and then it decides the order of two hits, so that the finest one is not
+// always the best. The two that are tried first do if they are within a tenth of the tolerance.
+References ReferencesOf(const Animation& animation, double until) {
+  struct Reference {
+    double share;  // of the tolerance
+    Result<Motion> motion;
+  };
+  std::vector<Reference> all;
+  std::optional<References> best;
+  for (const double share : {1e-4, 1e-5, 1e-3, 3e-4, 3e-5}) {
+    const Reference last = {share, ReferenceAt(animation, share)};
+    if (last.motion.ok()) until = std::min(until, EstimatedUntil(last.motion.value()));
+    for (const Reference& other : all) {
+      const bool is_last_finer = last.share < other.share;
+      References pair = {is_last_finer ? other.motion : last.motion,
+                         is_last_finer ? last.motion : other.motion};
+      if (pair.coarse.ok() && pair.fine.ok()) {
+        pair.apart = FurthestApart(animation, pair.coarse.value(), pair.fine.value(), until);
+      }
+      if (!best || pair.apart < best->apart) best = std::move(pair);
     }
-    motions.push_back(another);
+    if (best && best->apart < 0.1 * kTolerance) break;
+    all.push_back(last);
   }
-  return best;
+  return *best;
 }
 
 void Count(const Trial& trial, Tally* tally) {
@@ -196,7 +200,8 @@ Trial Try(const Animation& drawn) {
     return trial;
   }
   LookAtAccount(motion.value(), &trial);
-  const References references = ReferencesOf(animation);
+  double until = std::min(EstimatedUntil(motion.value()), BranchesFrom(motion.value()));
+  const References references = ReferencesOf(animation, until);
   const Result<Motion>&one = references.coarse, &two = references.fine;
   for (const auto* reference : {&one, &two}) {
     if (reference->ok()) continue;
@@ -204,8 +209,7 @@ Trial Try(const Animation& drawn) {
     trial.message = reference->error().ToString();
     return trial;
   }
-  const double until = std::min(
-      {EstimatedUntil(motion.value()), BranchesFrom(motion.value()), EstimatedUntil(two.value())});
+  until = std::min(until, EstimatedUntil(two.value()));
   trial.apart = FurthestApart(animation, one.value(), two.value(), until);
   trial.error = FurthestApart(animation, motion.value(), two.value(), until);
   trial.is_reported = WarnsOf(trial.error, motion.value());
