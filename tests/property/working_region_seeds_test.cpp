@@ -52,6 +52,9 @@ TEST(WorkingRegion, LimitsDoNotPullAgainstAnImpact) { ExpectClose(986000191); }
 // A hinge that a pole has thrown out of its limits, whose limit follows it in until it turns.
 TEST(WorkingRegion, HoldsHingesThatAreOutsideWhereTheyTurn) { ExpectClose(986000411); }
 
+// Such a hinge whirls round a pole, and seems to turn again and again.
+TEST(WorkingRegion, PassesAPoleOutsideItsLimits) { ExpectClose(989000391); }
+
 // Steps a million times as fine as the first ones do no better.
 TEST(WorkingRegion, SaysWhereTheFinestStepsDoNotHelp) {
   Animation animation = RandomWorkingRegion(987000688).animation;

@@ -136,12 +136,17 @@ std::optional<HitSearch::Pole> HitSearch::FindPole(double before, double t) {
 // The pole that a ball joint is at when an outer hinge of it goes out. Both outer hinges turn about
 // one axis there: an impact has nothing to push against before the joint is beyond the pole.
 std::optional<HitSearch::Pole> HitSearch::PoleAt(const Crossing& hit) const {
-  const int node = dynamics_->hinges()[hit.hinge].node;
+  if (!IsByPole(hit.hinge, kThrough)) return std::nullopt;
+  return Pole{hit.time, dynamics_->hinges()[hit.hinge].node};
+}
+
+// Whether the latest look shows an outer hinge of a ball joint that is so near to a pole [rad].
+bool HitSearch::IsByPole(int hinge, double distance) const {
+  const int node = dynamics_->hinges()[hinge].node;
   const HingeTriple* triple = dynamics_->layout().triple(node);
-  if (!triple) return std::nullopt;
+  if (!triple) return false;
   const int middle = FirstHinge(node) + 1;
-  if (hit.hinge == middle || triple->FromPole(look_.q[middle]) > kThrough) return std::nullopt;
-  return Pole{hit.time, node};
+  return hinge != middle && triple->FromPole(look_.q[middle]) <= distance;
 }
 
 // Whether a ball joint at a pole goes straight through, or has just done so. Its outer hinges stay
@@ -172,7 +177,8 @@ double HitSearch::PoleRate(const Pole& pole) const { return look_.qd[FirstHinge(
 std::optional<double> HitSearch::FindCrossing(int hinge, int side, double before, double t) {
   Limit limit = {hinge, side, limits_->limit(hinge, side)};
   double q0 = before_.q[hinge], g0 = side * before_.qd[hinge], g1 = side * look_.qd[hinge];
-  if (rules().limits_follow_hinges && limits_->IsFurtherOut(limit.at, hinge, side)) {
+  const bool follows = rules().limits_follow_hinges && !IsByPole(hinge, kBeyondPole);
+  if (follows && limits_->IsFurtherOut(limit.at, hinge, side)) {
     limit.at = limits_->LimitFollowing(q0, hinge, side);
     if (g0 <= 0.0 && g1 > 0.0) {
       const double turn = Narrow({before, g0, t, g1}, kSameTime, [&](double at) {

@@ -38,6 +38,7 @@ class HitSearch {
   std::optional<Pole> FindPole(double before, double t);
   bool Leaves(const Pole& pole);
   std::optional<Pole> PoleAt(const Crossing& hit) const;
+  bool IsByPole(int hinge, double distance) const;
   double PoleRate(const Pole& pole) const;
   const SolverRules& rules() const { return dynamics_->mode().contacts.rules(); }
   int FirstHinge(int node) const { return dynamics_->layout().node(node).first_hinge; }
