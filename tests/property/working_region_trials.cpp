@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <optional>
 #include <utility>
-#include <vector>
 
 #include "engine/bake/bake.h"
 #include "engine/project/checks/animation_checks.h"
@@ -91,32 +91,39 @@ struct References {
   double apart = HUGE_VAL;  // up to some frame [deg]; unknown if one of them failed
 };
 
-// Returns the two of up to five references that agree best up to a frame: rounding grows with the
-// number of steps, and now and then it decides the order of two hits, so that the finest one is not
-// always the best. The two that are tried first do if they are within a tenth of the tolerance.
-References ReferencesOf(const Animation& animation, double until) {
-  struct Reference {
-    double share;  // of the tolerance
-    Result<Motion> motion;
-  };
-  std::vector<Reference> all;
+// Returns the two references that agree best up to a frame, and to the last one whose error each of
+// them estimates.
+References BestOf(const Animation& animation, const std::map<double, Result<Motion>>& by_share,
+                  double until) {
+  for (const auto& [share, motion] : by_share) {
+    if (motion.ok()) until = std::min(until, EstimatedUntil(motion.value()));
+  }
   std::optional<References> best;
-  for (const double share : {1e-4, 1e-5, 1e-3, 3e-4, 3e-5}) {
-    const Reference last = {share, ReferenceAt(animation, share)};
-    if (last.motion.ok()) until = std::min(until, EstimatedUntil(last.motion.value()));
-    for (const Reference& other : all) {
-      const bool is_last_finer = last.share < other.share;
-      References pair = {is_last_finer ? other.motion : last.motion,
-                         is_last_finer ? last.motion : other.motion};
+  for (auto coarse = by_share.begin(); coarse != by_share.end(); ++coarse) {
+    for (auto fine = by_share.begin(); fine != coarse; ++fine) {
+      References pair = {coarse->second, fine->second};
       if (pair.coarse.ok() && pair.fine.ok()) {
         pair.apart = FurthestApart(animation, pair.coarse.value(), pair.fine.value(), until);
       }
       if (!best || pair.apart < best->apart) best = std::move(pair);
     }
-    if (best && best->apart < 0.1 * kTolerance) break;
-    all.push_back(last);
   }
   return *best;
+}
+
+// Returns the two of up to five references that agree best: rounding grows with the number of
+// steps, and now and then it decides the order of two hits, so that the finest one is not always
+// the best. None are added once two are within a tenth of the tolerance.
+References ReferencesOf(const Animation& animation, double until) {
+  std::map<double, Result<Motion>> by_share;  // of the tolerance
+  for (const double share : {1e-4, 1e-5}) by_share.emplace(share, ReferenceAt(animation, share));
+  References best = BestOf(animation, by_share, until);
+  for (const double share : {1e-3, 3e-4, 3e-5}) {
+    if (best.apart < 0.1 * kTolerance) break;
+    by_share.emplace(share, ReferenceAt(animation, share));
+    best = BestOf(animation, by_share, until);
+  }
+  return best;
 }
 
 void Count(const Trial& trial, Tally* tally) {
