@@ -188,14 +188,19 @@ TEST(Exact, HoldsARodThatStartsOutsideWhereItTurns) {
   }
 }
 
-// A rod that starts outside and swings through its limit has that limit from there on.
+// A rod that starts outside and swings through its limit, far or so little that it turns in the
+// same step, falls back onto that limit.
 TEST(Exact, GivesARodThatCameInItsOwnLimit) {
-  const double limit = 0.5;
+  const double start = 0.2, rate = 3.0;
+  const double weight = 1.5 * kG / (1.0 + 0.75 * 0.002 * 0.002);  // as above
+  const double turn = std::acos(std::cos(start) - 0.5 * rate * rate / weight);
   for (const double tolerance : {1e-4, 1e-6, 1e-9}) {
-    const VecX q = VecX::Constant(1, 0.2), qd = VecX::Constant(1, 3.0);
-    const Course course = SwingExactly({RodWithin(limit, 10.0), q, qd, 2.0}, tolerance);
-    ASSERT_TRUE(course.finished);
-    EXPECT_NEAR(course.q[0], limit, 1e-9) << tolerance;
+    for (const double inside : {0.3, 1e-2, 1e-3, 2e-4}) {
+      const VecX q = VecX::Constant(1, start), qd = VecX::Constant(1, rate);
+      const Course course = SwingExactly({RodWithin(turn - inside, 10.0), q, qd, 2.0}, tolerance);
+      ASSERT_TRUE(course.finished);
+      EXPECT_NEAR(course.q[0], turn - inside, 1e-9) << inside << " rad, tolerance " << tolerance;
+    }
   }
 }
 

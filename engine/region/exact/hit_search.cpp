@@ -177,8 +177,8 @@ double HitSearch::PoleRate(const Pole& pole) const { return look_.qd[FirstHinge(
 std::optional<double> HitSearch::FindCrossing(int hinge, int side, double before, double t) {
   Limit limit = {hinge, side, limits_->limit(hinge, side)};
   double q0 = before_.q[hinge], g0 = side * before_.qd[hinge], g1 = side * look_.qd[hinge];
-  const bool follows = rules().limits_follow_hinges && !IsByPole(hinge, kBeyondPole);
-  if (follows && limits_->IsFurtherOut(limit.at, hinge, side)) {
+  if (rules().limits_follow_hinges && limits_->IsFurtherOut(limit.at, hinge, side) &&
+      !IsByPole(hinge, kBeyondPole)) {
     limit.at = limits_->LimitFollowing(q0, hinge, side);
     if (g0 <= 0.0 && g1 > 0.0) {
       const double turn = Narrow({before, g0, t, g1}, kSameTime, [&](double at) {
@@ -211,7 +211,7 @@ std::optional<double> HitSearch::FindCrossing(int hinge, int side, double before
   return std::nullopt;
 }
 
-// Outwards [rad/s]. Leaves the angles at that time in sample_.
+// Rate outwards at a time [rad/s]; leaves the angles there in sample_.
 double HitSearch::RateAt(double t, int hinge, int side) {
   Look(t, &sample_);
   return side * sample_.qd[hinge];

@@ -15,7 +15,7 @@ class LimitForces {
   explicit LimitForces(RegionDynamics* dynamics);
 
   // An impact of what goes out, of a pin that is stopped, and of ends of constraints that part.
-  // Changes the rates. kHingesAlone: neither the pin nor ends of constraints change their rates.
+  // Changes the rates. kHingesAlone: the pin and ends of constraints keep theirs.
   enum class Strikes { kAll, kHingesAlone };
   void Impact(double t, const std::vector<int>& side, const std::vector<char>& sticks,
               HingeState* state, Strikes strikes = Strikes::kAll);
