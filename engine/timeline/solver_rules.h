@@ -32,7 +32,8 @@ struct SolverRules {
         no_friction_at_pins(version >= 2),
         tells_motion_from_rounding(version >= 2),
         sticks_by_hinge(version >= 2),
-        limits_follow_hinges(version >= 2) {}
+        limits_follow_hinges(version >= 2),
+        hits_at_one_distance(version >= 2) {}
 
   // Velocity of a figure that contacts place is kept where a region begins. Before: its placement
   // pinned the contacts, which stopped the figure. [METHOD 12.9]
@@ -105,6 +106,9 @@ struct SolverRules {
   // The limit of a hinge that is outside follows it until the hinge turns. Before: until the end of
   // the step before, so that the hinge swung out again a little. [METHOD 3.6]
   bool limits_follow_hinges;
+  // A hinge hits its limit 5e-11 rad beyond it. Before: up to 1e-10 rad, where a step or a look of
+  // the search happened to end, which a slow hinge reaches much later. [METHOD 3.4]
+  bool hits_at_one_distance;
 
   bool operator==(const SolverRules&) const = default;
 };
@@ -115,14 +119,14 @@ inline auto MembersOf(const SolverRules& rules) {
                locates_landings_exactly, pins_what_would_sink, sweeps_large_islands,
                keeps_balls_apart, opens_what_begins_to_pull, looks_about_poles, stops_by_impulse,
                no_friction_at_pins, tells_motion_from_rounding, sticks_by_hinge,
-               limits_follow_hinges] = rules;
-  return std::tie(keeps_speed_of_what_touches, is_causal, releases_at_keyed_speed,
-                  stands_on_springs, parts_what_is_tied, keeps_touching_links_apart,
-                  lifts_plates_at_all_angles, feels_what_is_deep, slides_straight_beyond_stop,
-                  rests_without_gravity, locates_landings_exactly, pins_what_would_sink,
-                  sweeps_large_islands, keeps_balls_apart, opens_what_begins_to_pull,
-                  looks_about_poles, stops_by_impulse, no_friction_at_pins,
-                  tells_motion_from_rounding, sticks_by_hinge, limits_follow_hinges);
+               limits_follow_hinges, hits_at_one_distance] = rules;
+  return std::tie(
+      keeps_speed_of_what_touches, is_causal, releases_at_keyed_speed, stands_on_springs,
+      parts_what_is_tied, keeps_touching_links_apart, lifts_plates_at_all_angles,
+      feels_what_is_deep, slides_straight_beyond_stop, rests_without_gravity,
+      locates_landings_exactly, pins_what_would_sink, sweeps_large_islands, keeps_balls_apart,
+      opens_what_begins_to_pull, looks_about_poles, stops_by_impulse, no_friction_at_pins,
+      tells_motion_from_rounding, sticks_by_hinge, limits_follow_hinges, hits_at_one_distance);
 }
 
 }  // namespace hazumi

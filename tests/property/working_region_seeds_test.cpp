@@ -52,6 +52,11 @@ TEST(WorkingRegion, LimitsDoNotPullAgainstAnImpact) { ExpectClose(986000191); }
 // A hinge that a pole has thrown out of its limits, whose limit follows it in until it turns.
 TEST(WorkingRegion, HoldsHingesThatAreOutsideWhereTheyTurn) { ExpectClose(986000411); }
 
+// A hinge that is back at its limit slowly, just where a step ends.
+TEST(WorkingRegion, HitsALimitWhereverAStepEnds) {
+  for (const int seed : {987000012, 990000157}) ExpectClose(seed);
+}
+
 // Such a hinge whirls round a pole, and seems to turn again and again.
 TEST(WorkingRegion, PassesAPoleOutsideItsLimits) { ExpectClose(989000391); }
 

@@ -168,6 +168,25 @@ TEST(Exact, FeelsALimitThatASwingBarelyReaches) {
   }
 }
 
+// A weightless rod that is so slow that it needs 0.1 ms for the distance within which it touches
+// its limit: it hits that 5e-11 rad beyond, wherever a step ends.
+TEST(Exact, HitsALimitAtOneDistance) {
+  constexpr double kLimit = 1e-7, kRate = 1e-6, kHit = 5e-11;  // [rad, rad/s]
+  const Figure rod = RodWithin(-10.0, kLimit);
+  for (const double beyond : {2e-11, 4e-11, 6e-11, 8e-11, 9.5e-11, 2e-10}) {
+    const Course course = SwingExactly({.figure = rod,
+                                        .q = VecX::Zero(1),
+                                        .qd = VecX::Constant(1, kRate),
+                                        .seconds = (kLimit + beyond) / kRate,
+                                        .gravity = 0.0},
+                                       1e-7);
+    ASSERT_TRUE(course.finished);
+    ASSERT_EQ(course.hits.size(), beyond > kHit ? 1u : 0u) << beyond;
+    if (beyond < kHit) continue;
+    EXPECT_NEAR(course.hits[0].time, (kLimit + kHit) / kRate, 1e-8) << beyond;
+  }
+}
+
 // A rod that starts outside its limits and swings up, but not as far as them: it stays where it
 // turns, however long the steps are. On both sides.
 TEST(Exact, HoldsARodThatStartsOutsideWhereItTurns) {

@@ -9,6 +9,8 @@ namespace hazumi {
 
 namespace {
 
+// A hinge that far beyond its limit hits it, so that one that leaves it does not [rad].
+constexpr double kHit = 0.5 * kTouch;
 constexpr double kThrough = 1e-8;     // so near a pole goes through it [rad]
 constexpr double kBeyondPole = 1e-6;  // so far from a pole its side is certain [rad]
 
@@ -192,8 +194,9 @@ std::optional<double> HitSearch::FindCrossing(int hinge, int side, double before
       if (is_back && limits_->IsFurtherOut(limit.at, hinge, side)) return turn;
     }
   }
+  const double out_from = rules().hits_at_one_distance ? kHit : kTouch;
   const double f0 = limit.Beyond(q0), f1 = limit.Beyond(look_.q[hinge]);
-  if (f1 > kTouch) return CrossingTime(limit, before, t);
+  if (f1 > out_from) return CrossingTime(limit, before, t);
   const double h = t - before;
   if (g0 <= 0.0 || g1 >= 0.0 || std::max(f0, f1) + h * std::max(g0, -g1) <= 0.0) {
     return std::nullopt;
@@ -203,7 +206,7 @@ std::optional<double> HitSearch::FindCrossing(int hinge, int side, double before
     const double top =
         std::clamp(a + (b - a) * g0 / (g0 - g1), a + 0.05 * (b - a), b - 0.05 * (b - a));
     Look(top, &sample_);
-    if (limit.Beyond(sample_.q[hinge]) > kTouch) return CrossingTime(limit, before, top);
+    if (limit.Beyond(sample_.q[hinge]) > out_from) return CrossingTime(limit, before, top);
     const double g = side * sample_.qd[hinge];
     (g > 0.0 ? a : b) = top;
     (g > 0.0 ? g0 : g1) = g;
@@ -218,14 +221,13 @@ double HitSearch::RateAt(double t, int hinge, int side) {
 }
 
 // Between a time at which the hinge is inside and one at which it is outside.
-// Half of kTouch counts as inside, so that a hinge that leaves its limit has not crossed it. Nor
-// has one that is outside by rounding and on its way in, until it comes back: else it would meet
-// its limit again and again. (Version 1 of the solver counts it as a crossing without drives,
-// forces and constraints, and with these does not look for its return.)
+// A hinge that is outside by rounding and on its way in has not crossed its limit until it comes
+// back: else it would meet it again and again. (Version 1 of the solver counts it as a crossing
+// without drives, forces and constraints, and with these does not look for its return.)
 std::optional<double> HitSearch::CrossingTime(const Limit& limit, double inside, double outside) {
   const auto out = [&](double t) {
     Look(t, &sample_);
-    return limit.Beyond(sample_.q[limit.hinge]) - 0.5 * kTouch;
+    return limit.Beyond(sample_.q[limit.hinge]) - kHit;
   };
   const auto rate = [&](double t) { return RateAt(t, limit.hinge, limit.side); };
   const double in = std::min(out(inside), -kTouch);
