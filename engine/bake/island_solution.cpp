@@ -19,10 +19,10 @@ SharedIsland::SharedIsland(IslandTask island_task) : task(std::move(island_task)
   if (any_ball) with_balls.emplace(task.model, /*balls=*/true);
 }
 
-IslandSolution::IslandSolution(std::shared_ptr<const SharedIsland> island, double step_tolerance,
-                               MovingBaseCache* moving_bases)
+IslandSolution::IslandSolution(std::shared_ptr<const SharedIsland> island,
+                               const Tolerance& tolerance, MovingBaseCache* moving_bases)
     : island_(std::move(island)),
-      step_tolerance_(step_tolerance),
+      tolerance_(tolerance),
       answers_({island_, &island_->task}, moving_bases) {}
 
 void IslandSolution::Begin(double t, double end, const RotationState& state,
@@ -41,7 +41,9 @@ void IslandSolution::Begin(double t, double end, const RotationState& state,
     own.qd[i] = state.qd[hinges()[i]];
   }
   own.pin_velocity = state.pin_velocity;
-  answers_.Begin({t, end, step_tolerance_, std::move(own), curves, {island_, &task}}, known);
+  answers_.Begin(
+      {t, end, tolerance_.step, tolerance_.equal_steps, std::move(own), curves, {island_, &task}},
+      known);
   time_ = step_start_ = t;
 }
 

@@ -23,8 +23,13 @@ struct SharedIsland {
 // The motion of one island, as it answers for it (IslandAnswers).
 class IslandSolution {
  public:
-  // `moving_bases` must outlive it. `step_tolerance`: error of one step [rad].
-  IslandSolution(std::shared_ptr<const SharedIsland> island, double step_tolerance,
+  // Errors of one step [rad]: as asked; of a control solution also up to which the solution takes
+  // the same step (ExactStep::SetTolerance).
+  struct Tolerance {
+    double step, equal_steps = 0.0;
+  };
+  // `moving_bases` must outlive it.
+  IslandSolution(std::shared_ptr<const SharedIsland> island, const Tolerance& tolerance,
                  MovingBaseCache* moving_bases);
 
   // Whether the fall of the centre of mass is solved along, and sampled as the state's anchor.
@@ -33,7 +38,7 @@ class IslandSolution {
   }
   const RegionModel& model() const { return island_->task.model; }
   const std::vector<Coordinate>& hinges() const { return island_->hinges; }
-  double step_tolerance() const { return step_tolerance_; }
+  double step_tolerance() const { return tolerance_.step; }
 
   // Begins at t, with curves (CurvesOf) that are smooth up to `end`. `known`: logs of earlier
   // bakes; null: it keeps none itself.
@@ -98,7 +103,7 @@ class IslandSolution {
   void Scatter(const IslandSamples& samples, size_t index, RotationState* state) const;
 
   std::shared_ptr<const SharedIsland> island_;
-  double step_tolerance_;
+  Tolerance tolerance_;
   IslandAnswers answers_;
   double time_ = 0.0, step_start_ = 0.0;
   std::optional<ExactFailure> failure_;

@@ -33,7 +33,8 @@ struct SolverRules {
         tells_motion_from_rounding(version >= 2),
         sticks_by_hinge(version >= 2),
         limits_follow_hinges(version >= 2),
-        hits_at_one_distance(version >= 2) {}
+        hits_at_one_distance(version >= 2),
+        controls_equal_steps(version >= 2) {}
 
   // Velocity of a figure that contacts place is kept where a region begins. Before: its placement
   // pinned the contacts, which stopped the figure. [METHOD 12.9]
@@ -109,6 +110,9 @@ struct SolverRules {
   // A hinge hits its limit 5e-11 rad beyond it. Before: up to 1e-10 rad, where a step or a look of
   // the search happened to end, which a slow hinge reaches much later. [METHOD 3.4]
   bool hits_at_one_distance;
+  // A step of the control solution that the solution takes as well errs by five times its error
+  // more. Before: both erred alike, which no estimate shows. [METHOD 8.2]
+  bool controls_equal_steps;
 
   bool operator==(const SolverRules&) const = default;
 };
@@ -119,14 +123,15 @@ inline auto MembersOf(const SolverRules& rules) {
                locates_landings_exactly, pins_what_would_sink, sweeps_large_islands,
                keeps_balls_apart, opens_what_begins_to_pull, looks_about_poles, stops_by_impulse,
                no_friction_at_pins, tells_motion_from_rounding, sticks_by_hinge,
-               limits_follow_hinges, hits_at_one_distance] = rules;
-  return std::tie(
-      keeps_speed_of_what_touches, is_causal, releases_at_keyed_speed, stands_on_springs,
-      parts_what_is_tied, keeps_touching_links_apart, lifts_plates_at_all_angles,
-      feels_what_is_deep, slides_straight_beyond_stop, rests_without_gravity,
-      locates_landings_exactly, pins_what_would_sink, sweeps_large_islands, keeps_balls_apart,
-      opens_what_begins_to_pull, looks_about_poles, stops_by_impulse, no_friction_at_pins,
-      tells_motion_from_rounding, sticks_by_hinge, limits_follow_hinges, hits_at_one_distance);
+               limits_follow_hinges, hits_at_one_distance, controls_equal_steps] = rules;
+  return std::tie(keeps_speed_of_what_touches, is_causal, releases_at_keyed_speed,
+                  stands_on_springs, parts_what_is_tied, keeps_touching_links_apart,
+                  lifts_plates_at_all_angles, feels_what_is_deep, slides_straight_beyond_stop,
+                  rests_without_gravity, locates_landings_exactly, pins_what_would_sink,
+                  sweeps_large_islands, keeps_balls_apart, opens_what_begins_to_pull,
+                  looks_about_poles, stops_by_impulse, no_friction_at_pins,
+                  tells_motion_from_rounding, sticks_by_hinge, limits_follow_hinges,
+                  hits_at_one_distance, controls_equal_steps);
 }
 
 }  // namespace hazumi

@@ -48,6 +48,7 @@ void ExactDriver::Begin(double t, double end, const RotationState& state,
   request_ = regions_.RequestWithTies(state, hold, driven, acting);
   std::vector<RegionModel> models = CompileRegionModels(regions_.figure(), request_);
   AccountForMass(models);
+  const bool controls_equal_steps = regions_.animation().solver.rules().controls_equal_steps;
   islands_.clear();
   islands_.reserve(models.size());
   for (RegionModel& model : models) {
@@ -56,10 +57,11 @@ void ExactDriver::Begin(double t, double end, const RotationState& state,
         regions_.IslandFor(std::move(model), {middle, !request_.ties.empty(), acting, state.loose});
     const auto shared = std::make_shared<const SharedIsland>(std::move(made.task));
     const auto curves = CurvesOf(shared->task.model, driven);
-    Island& island =
-        islands_.emplace_back(Island{{shared, tolerance, &moving_bases_},
-                                     {shared, tolerance * kControlCoarseness, &moving_bases_},
-                                     std::move(made.held)});
+    const IslandSolution::Tolerance of_control = {tolerance * kControlCoarseness,
+                                                  controls_equal_steps ? tolerance : 0.0};
+    Island& island = islands_.emplace_back(Island{{shared, {tolerance}, &moving_bases_},
+                                                  {shared, of_control, &moving_bases_},
+                                                  std::move(made.held)});
     island.solution.Begin(t, end, state, curves, known_);
     const auto has_time_stepped = [&](Coordinate c) { return estimates_.HasTimeStepped(c, t); };
     const std::vector<Coordinate>& hinges = island.solution.hinges();

@@ -10,13 +10,14 @@
 #include "engine/bake/walk/loose_balls.h"
 #include "engine/bake/walk/walk_work.h"
 #include "engine/base/text.h"
+#include "engine/region/exact/exact_step.h"
 
 namespace hazumi {
 
 namespace {
 
 // Its distance is mostly its own error; the solution's is this part of it at most.
-constexpr double kEstimateShare = 0.2;
+constexpr double kEstimateShare = 1.0 / ExactStep::kControlError;
 
 // `constraints`: of the island, as the animation counts them.
 std::string CauseOf(const ExactFailure& failure, const Animation& animation,

@@ -61,6 +61,15 @@ class Dop853 {
     return std::abs(h) * Worst(dopri5::kE4, scale);
   }
 
+  // Adds the estimated error of the step tried last to its result, `times` times.
+  void AddError(double times) {
+    for (int i = 0; i < n_; ++i) {
+      double e = 0.0;
+      for (int s = 0; s < 12; ++s) e += dop853::kE5[s] * k(s)[i];
+      stage_[i] += times * share_ * trial_h_ * e;
+    }
+  }
+
   // Accepts the step tried last: the solution at its end is y().
   template <typename Field>
   void Accept(Field&& field) {
@@ -210,12 +219,14 @@ class Dop853 {
     const double third = Worst(dop853::kE3, scale), fifth = Worst(dop853::kE5, scale);
     const double squares = fifth * fifth + 0.01 * third * third;
     if (!std::isfinite(squares)) return HUGE_VAL;
+    share_ = 0.0;
     if (fifth < 1e-100) return 0.0;  // its square may be zero
+    share_ = fifth / std::sqrt(squares);
     return std::abs(h) * fifth * fifth / std::sqrt(squares);
   }
 
   int n_ = 0, worst_ = 0;
-  double t0_ = 0.0, h_ = 0.0, trial_h_ = 0.0;
+  double t0_ = 0.0, h_ = 0.0, trial_h_ = 0.0, share_ = 0.0;
   bool is_short_ = false, has_dense_ = false;
   std::vector<double> k_, dense_, stage_, y0_, y1_;
 };

@@ -27,7 +27,9 @@ class ExactSolver {
   ExactSolver& operator=(const ExactSolver&) = delete;
 
   // As ExactStep.
-  void SetTolerance(double radians) { step_.SetTolerance(radians); }
+  void SetTolerance(double radians, double equal_steps = 0.0) {
+    step_.SetTolerance(radians, equal_steps);
+  }
   void SetLongestStep(double seconds) { step_.SetLongestStep(seconds); }
 
   // Begins in this state, after the impulse of a pin that is stopped. A hinge that is outside its

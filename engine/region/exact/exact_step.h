@@ -22,8 +22,14 @@ class ExactStep {
   // Both must outlive it. The limits tell the sides of ball joints.
   ExactStep(RegionDynamics* dynamics, const LimitRange* limits);
 
-  // Error of one step: of an angle [rad]; of a rate, 1/s of it times kRateScale.
-  void SetTolerance(double radians) { tolerance_ = radians; }
+  // Error of one step: of an angle [rad]; of a rate, 1/s of it times kRateScale. `equal_steps`: up
+  // to this error a step is one that another motion takes as well, which this one is compared with;
+  // kControlError times the error is added to it, so that both do not err alike [rad].
+  void SetTolerance(double radians, double equal_steps) {
+    tolerance_ = radians;
+    equal_steps_ = equal_steps;
+  }
+  static constexpr double kControlError = 5.0;
   double tolerance() const { return tolerance_; }
   static constexpr double kRateScale = 20.0;  // [1/s]
   // [s]; none unless set.
@@ -94,7 +100,7 @@ class ExactStep {
 
   RegionDynamics* dynamics_;
   const LimitRange* limits_;
-  double tolerance_ = 1e-6;
+  double tolerance_ = 1e-6, equal_steps_ = 0.0;
   double longest_step_ = std::numeric_limits<double>::infinity();
   Dop853 step_;
   double next_h_ = 0.0;      // [s]; 0: not known

@@ -17,7 +17,7 @@ namespace {
 // an island and what it is asked first.
 struct Case {
   IslandTask task;
-  double step_tolerance = 1e-8;
+  IslandSolution::Tolerance tolerance = {1e-8};
   RotationState state;
   DrivenMotion driven;
   double t = 0.0, end = 0.1;
@@ -33,7 +33,7 @@ Case AnyCase(uint64_t seed, RootCoupling coupling) {
           island->q.array() + 0.2,
           {RetentionSpec{VecX::Constant(k, 0.5)}},
           RandomIsland::kGravity},
-         1e-8,
+         {1e-8},
          {VecX::Zero(n), VecX::Zero(n), {}},
          island->driven};
   for (int i = 0; i < k; ++i) {
@@ -58,7 +58,7 @@ Case CarriedCase() {
 }
 
 IslandSolution SolutionOf(const Case& c, MovingBaseCache* moving_bases) {
-  return {std::make_shared<const SharedIsland>(c.task), c.step_tolerance, moving_bases};
+  return {std::make_shared<const SharedIsland>(c.task), c.tolerance, moving_bases};
 }
 
 void Begin(const Case& c, const KnownLogs* known, IslandSolution* solution) {
@@ -221,7 +221,8 @@ std::vector<Change> TaskChanges() {
       {"lower", [](Case* c) { Nudge(&c->task.lower[0]); }},
       {"upper", [](Case* c) { Nudge(&c->task.upper[0]); }},
       {"gravity", [](Case* c) { Nudge(&c->task.gravity); }},
-      {"step_tolerance", [](Case* c) { Nudge(&c->step_tolerance); }},
+      {"step_tolerance", [](Case* c) { Nudge(&c->tolerance.step); }},
+      {"equal_steps", [](Case* c) { Nudge(&c->tolerance.equal_steps); }},
       {"R_root", [](Case* c) { Nudge(&c->task.model.R_root(2, 1)); }},
       {"coupling", [](Case* c) { c->task.model.coupling = RootCoupling::kPinned; }},
       {"pin_node", [](Case* c) { ++c->task.model.pin_node; }},

@@ -86,6 +86,27 @@ TEST(Dop853, TakesNoHugeErrorForASmallOne) {
   }
 }
 
+// Any multiple of the error that the step tells, in the component that it is largest of.
+TEST(Dop853, AddsItsEstimatedError) {
+  for (const double h : {0.2, 0.5, 1.0}) {
+    Dop853 plain = StartedAt(0.3), worse = StartedAt(0.3);
+    const double error = Take(h, &plain);
+    worse.Try(h, Smooth::kScale, Smooth::Field);
+    worse.AddError(5.0);
+    worse.Accept(Smooth::Field);
+    double apart = 0.0;
+    for (int i = 0; i < Smooth::kSize; ++i) {
+      apart = std::max(apart, std::abs(worse.y()[i] - plain.y()[i]));
+    }
+    ASSERT_GT(error, 1e-13);
+    EXPECT_NEAR(apart / error, 5.0, 1e-2) << h;
+    worse.MakeDense(Smooth::Field);
+    double end[Smooth::kSize];
+    worse.At(0.3 + h, end);
+    EXPECT_NEAR(end[0], worse.y()[0], 1e-14);
+  }
+}
+
 TEST(Dop853, ConvergesWithOrderEight) {
   EXPECT_NEAR(Order(GlobalError(8), GlobalError(16)), 8.0, 0.5);
   EXPECT_NEAR(Order(GlobalError(12), GlobalError(24)), 8.0, 0.5);
