@@ -173,6 +173,7 @@ std::optional<GravityEvent> ContinuousGravity::FindTakeOff(double t0, double t1,
   const bool has_landed = !state_.landings.empty() && state_.landings.back() == t0;
   const bool looks_soon = has_landed && rules_.locates_landings_exactly;
   const double instant = TolerancesOf(rules_).instant;
+  const bool finds_top = rules_.finds_brief_losses;
   const bool tells_force = t1 - t0 >= kTellsForce || !rules_.tells_motion_from_rounding;
   // Positive where the figure takes off.
   const auto lift = [&](double t) {
@@ -194,6 +195,10 @@ std::optional<GravityEvent> ContinuousGravity::FindTakeOff(double t0, double t1,
     if (lift_now > 0.0) first = Root(before, lift_before, t, lift_now, instant, lift);
     if (lost_now > 0.0) {
       first = std::min(first, Root(before, lost_before, t, lost_now, instant, lost));
+    } else if (const auto top = finds_top ? FindTop(before, t, pose, ws) : std::nullopt) {
+      if (const double lost_at_top = lost(*top); lost_at_top > 0.0) {
+        first = std::min(first, Root(before, lost_before, *top, lost_at_top, instant, lost));
+      }
     }
     if (first < kNever) return take_off(first);
     before = t;
@@ -223,18 +228,17 @@ double ContinuousGravity::SpeedBound(double t0, double t1, const Pose& pose,
   return 1.33 * fastest + 1e-3;
 }
 
-// Returns when the figure is farthest out between two times at which it is inside, if it is outside
-// then.
-std::optional<double> ContinuousGravity::FindOutside(double t0, double t1, const Pose& pose,
-                                                     DynamicsWorkspace* ws) const {
+// Returns when the figure is farthest out between two times, if it rises at the first one and sinks
+// at the second, both faster than rounding.
+std::optional<double> ContinuousGravity::FindTop(double t0, double t1, const Pose& pose,
+                                                 DynamicsWorkspace* ws) const {
   constexpr double kSoon = 1e-6;  // [s]
   const auto sinks = [&](double t) { return -Rise(t, pose, ws); };
   const double f1 = sinks(t1);
-  if (f1 <= 0.0) return std::nullopt;
+  if (f1 <= kNoSpeed) return std::nullopt;
   const double f0 = sinks(t0);
-  if (f0 >= 0.0) return std::nullopt;
-  const double top = Narrow({t0, f0, t1, f1}, kSoon, sinks).b;
-  return ClearanceAt(top, pose, ws) >= 0.0 ? std::optional(top) : std::nullopt;
+  if (f0 >= -kNoSpeed) return std::nullopt;
+  return Narrow({t0, f0, t1, f1}, kSoon, sinks).b;
 }
 
 // Depth at take-off counts as ground until the figure has been outside, or as good as outside,
@@ -267,9 +271,10 @@ std::optional<GravityEvent> ContinuousGravity::FindLanding(double t0, double t1,
     const double next = std::min(t1, t + way);
     const double next_gap = -depth(next);
     if (looks_for_outside && state_.allowed + next_gap < 0.0) {
-      if (const std::optional<double> outside = FindOutside(t, next, pose, ws)) {
+      const std::optional<double> top = FindTop(t, next, pose, ws);
+      if (top && ClearanceAt(*top, pose, ws) >= 0.0) {
         state_.allowed = 0.0;
-        t = *outside;
+        t = *top;
         gap = -depth(t);
         continue;
       }

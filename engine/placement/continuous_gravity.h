@@ -79,8 +79,8 @@ class ContinuousGravity {
                                           DynamicsWorkspace* ws) const;
   double Lift(double t, double t0, double t1, const Pose& pose, DynamicsWorkspace* ws) const;
   double Rise(double t, const Pose& pose, DynamicsWorkspace* ws) const;
-  std::optional<double> FindOutside(double t0, double t1, const Pose& pose,
-                                    DynamicsWorkspace* ws) const;
+  std::optional<double> FindTop(double t0, double t1, const Pose& pose,
+                                DynamicsWorkspace* ws) const;
   double RaisedGround(double clearance) const;
   std::optional<GravityEvent> FindLanding(double t0, double t1, const Pose& pose,
                                           DynamicsWorkspace* ws);

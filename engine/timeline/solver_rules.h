@@ -34,7 +34,8 @@ struct SolverRules {
         sticks_by_hinge(version >= 2),
         limits_follow_hinges(version >= 2),
         hits_at_one_distance(version >= 2),
-        controls_equal_steps(version >= 2) {}
+        controls_equal_steps(version >= 2),
+        finds_brief_losses(version >= 2) {}
 
   // Velocity of a figure that contacts place is kept where a region begins. Before: its placement
   // pinned the contacts, which stopped the figure. [METHOD 12.9]
@@ -113,6 +114,9 @@ struct SolverRules {
   // A step of the control solution that the solution takes as well errs by five times its error
   // more. Before: both erred alike, which no estimate shows. [METHOD 8.2]
   bool controls_equal_steps;
+  // A pinned figure takes off where it comes away from the ground, however briefly. Before: if that
+  // lasted until one of a few looks into the step. [METHOD 5.5]
+  bool finds_brief_losses;
 
   bool operator==(const SolverRules&) const = default;
 };
@@ -123,7 +127,8 @@ inline auto MembersOf(const SolverRules& rules) {
                locates_landings_exactly, pins_what_would_sink, sweeps_large_islands,
                keeps_balls_apart, opens_what_begins_to_pull, looks_about_poles, stops_by_impulse,
                no_friction_at_pins, tells_motion_from_rounding, sticks_by_hinge,
-               limits_follow_hinges, hits_at_one_distance, controls_equal_steps] = rules;
+               limits_follow_hinges, hits_at_one_distance, controls_equal_steps,
+               finds_brief_losses] = rules;
   return std::tie(keeps_speed_of_what_touches, is_causal, releases_at_keyed_speed,
                   stands_on_springs, parts_what_is_tied, keeps_touching_links_apart,
                   lifts_plates_at_all_angles, feels_what_is_deep, slides_straight_beyond_stop,
@@ -131,7 +136,7 @@ inline auto MembersOf(const SolverRules& rules) {
                   sweeps_large_islands, keeps_balls_apart, opens_what_begins_to_pull,
                   looks_about_poles, stops_by_impulse, no_friction_at_pins,
                   tells_motion_from_rounding, sticks_by_hinge, limits_follow_hinges,
-                  hits_at_one_distance, controls_equal_steps);
+                  hits_at_one_distance, controls_equal_steps, finds_brief_losses);
 }
 
 }  // namespace hazumi

@@ -57,9 +57,12 @@ TEST(WorkingRegion, HitsALimitWhereverAStepEnds) {
   for (const int seed : {987000012, 990000157}) ExpectClose(seed);
 }
 
-// Motion so sensitive that errors of 1e-7 degrees are enough, where ends of curves decide the steps:
-// the control solution takes the same ones.
+// Motion so sensitive that errors of 1e-7 degrees are enough, where ends of curves decide the
+// steps: the control solution takes the same ones.
 TEST(WorkingRegion, EstimatesErrorsOfStepsThatEndsDecide) { ExpectClose(990000058); }
+
+// A figure that rolls over its pinned joint, and comes away from the ground for 2 ms.
+TEST(WorkingRegion, TakesOffBriefly) { ExpectClose(991000070); }
 
 // Such a hinge whirls round a pole, and seems to turn again and again.
 TEST(WorkingRegion, PassesAPoleOutsideItsLimits) { ExpectClose(989000391); }
