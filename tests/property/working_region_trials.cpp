@@ -111,14 +111,14 @@ References BestOf(const Animation& animation, const std::map<double, Result<Moti
   return *best;
 }
 
-// Returns the two of up to five references that agree best: rounding grows with the number of
+// Returns the two of up to seven references that agree best: rounding grows with the number of
 // steps, and now and then it decides the order of two hits, so that the finest one is not always
 // the best. None are added once two are within a tenth of the tolerance.
 References ReferencesOf(const Animation& animation, double until) {
   std::map<double, Result<Motion>> by_share;  // of the tolerance
   for (const double share : {1e-4, 1e-5}) by_share.emplace(share, ReferenceAt(animation, share));
   References best = BestOf(animation, by_share, until);
-  for (const double share : {1e-3, 3e-4, 3e-5}) {
+  for (const double share : {1e-3, 3e-4, 3e-5, 3e-6, 1e-6}) {
     if (best.apart < 0.1 * kTolerance) break;
     by_share.emplace(share, ReferenceAt(animation, share));
     best = BestOf(animation, by_share, until);
