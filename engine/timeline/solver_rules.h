@@ -99,7 +99,8 @@ struct SolverRules {
   // figure took off before, nor the rate of a hinge that constraints hold, by which limits went
   // round in circles; nor is the pull of a limit that nothing presses, which let go again and
   // again, or the way that a hinge is outside as it leaves its limit, which it met again and
-  // again. [METHOD 5.5, 3.3, 3.4]
+  // again, or the velocity of a point that slides along the ground, which an impact stopped.
+  // [METHOD 5.5, 3.3, 3.4, 12.3]
   bool tells_motion_from_rounding;
   // The limits of a hinge become sticky when that hinge comes to them again and again. Before: the
   // limits of all hinges did when there were many events, which stopped hinges that were only

@@ -64,6 +64,10 @@ TEST(WorkingRegion, EstimatesErrorsOfStepsThatEndsDecide) { ExpectClose(99000005
 // A figure that rolls over its pinned joint, and comes away from the ground for 2 ms.
 TEST(WorkingRegion, TakesOffBriefly) { ExpectClose(991000070); }
 
+// A sliding point that leaves the ground, where friction wedges it: an impact would stop it however
+// slowly it approached, as rounding lets it.
+TEST(WorkingRegion, LeavesTheGroundWithoutAnImpact) { ExpectClose(992000293); }
+
 // Such a hinge whirls round a pole, and seems to turn again and again.
 TEST(WorkingRegion, PassesAPoleOutsideItsLimits) { ExpectClose(989000391); }
 

@@ -26,6 +26,23 @@ constexpr int kMostHalvings = 30;
 // Factor between touch_ and a gap that may count as touching in another solution.
 constexpr double kUnsure = 10.0;
 
+// Contacts that approach so slowly that it is rounding do not approach. Where friction wedges one,
+// an impulse that stops it is a solution, too, however slow it is. `velocities`: of the rows [m/s].
+void ForgetRounding(const std::vector<ConstraintRow>& rows, VecX* velocities) {
+  constexpr double kRounding = 1e-12;  // of the velocity across the normal
+  const Eigen::Index count = velocities->size();
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const ConstraintRow& row = rows[static_cast<size_t>(k)];
+    double& along = (*velocities)[k];
+    if (!row.is_contact() || row.is_across || along >= 0.0) continue;
+    double across = 0.0;
+    for (Eigen::Index i = k + 1; i < count && rows[static_cast<size_t>(i)].is_across; ++i) {
+      across = std::hypot(across, (*velocities)[i]);
+    }
+    if (along >= -kRounding * across) along = 0.0;
+  }
+}
+
 }  // namespace
 
 ContactForces::ContactForces(RegionDynamics* dynamics) : dynamics_(dynamics), problem_(dynamics) {
@@ -64,6 +81,9 @@ void ContactForces::Impact(double t, const std::vector<int>& side, const std::ve
   LimitRows rows = *equations.for_impulses();
   // Limits respond to rates, not to their change.
   rows.c += rows.J * jump;
+  if (dynamics_->mode().contacts.rules().tells_motion_from_rounding) {
+    ForgetRounding(dynamics_->rows().rows(), &rows.c);
+  }
   qd += jump;
   problem_.SetUp(side, sticks, rows, qd);
   has_solved_impact_ = Solve();
