@@ -259,6 +259,13 @@ std::optional<GravityEvent> ContinuousGravity::FindLanding(double t0, double t1,
   const Tolerances& tolerances = TolerancesOf(rules_);
   const double speed = SpeedBound(t0, t1, pose, ws);
   double t = t0, gap = -depth(t0);
+  const auto raise_ground = [&] {
+    const double raised = RaisedGround(state_.allowed + gap);
+    if (raised <= state_.allowed) return;
+    gap -= raised - state_.allowed;
+    state_.allowed = raised;
+  };
+  if (rules_.locates_landings_exactly) raise_ground();
   double held = kHeld;
   bool is_leaving = true;
   while (t < t1) {
@@ -294,11 +301,7 @@ std::optional<GravityEvent> ContinuousGravity::FindLanding(double t0, double t1,
     is_leaving = next_gap > gap;
     t = next;
     gap = next_gap;
-    const double raised = RaisedGround(state_.allowed + gap);
-    if (raised > state_.allowed) {
-      gap -= raised - state_.allowed;
-      state_.allowed = raised;
-    }
+    raise_ground();
   }
   return std::nullopt;
 }

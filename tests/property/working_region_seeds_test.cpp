@@ -68,19 +68,31 @@ TEST(WorkingRegion, TakesOffBriefly) { ExpectClose(991000070); }
 // slowly it approached, as rounding lets it.
 TEST(WorkingRegion, LeavesTheGroundWithoutAnImpact) { ExpectClose(992000293); }
 
+// A figure that took off from inside an obstacle, and that a jump of its keys takes out of it.
+TEST(WorkingRegion, LandsWhereItTookOffFromInside) { ExpectClose(993000339); }
+
 // Such a hinge whirls round a pole, and seems to turn again and again.
 TEST(WorkingRegion, PassesAPoleOutsideItsLimits) { ExpectClose(989000391); }
 
-// Steps a million times as fine as the first ones do no better.
-TEST(WorkingRegion, SaysWhereTheFinestStepsDoNotHelp) {
-  Animation animation = RandomWorkingRegion(987000688).animation;
+void ExpectWarning(int seed, const char* words) {
+  Animation animation = RandomWorkingRegion(static_cast<uint64_t>(seed)).animation;
   animation.solver.tolerance = kTolerance * kDegree;
   const Result<Motion> motion = Bake(animation);
   ASSERT_TRUE(motion.ok());
-  const auto says = [](const Warning& warning) {
-    return warning.message.find("finer steps do not help") != std::string::npos;
+  const auto says = [&](const Warning& warning) {
+    return warning.message.find(words) != std::string::npos;
   };
   EXPECT_TRUE(std::any_of(motion.value().warnings.begin(), motion.value().warnings.end(), says));
+}
+
+// Steps a million times as fine as the first ones do no better.
+TEST(WorkingRegion, SaysWhereTheFinestStepsDoNotHelp) {
+  ExpectWarning(987000688, "finer steps do not help");
+}
+
+// Steps that fine take too much work, so that nothing confirms the estimate.
+TEST(WorkingRegion, SaysWhereFinerStepsCannotBeSolved) {
+  ExpectWarning(993000620, "finer steps cannot be solved");
 }
 
 // A figure in flight that a contact of its region holds, next to where another point lands: a

@@ -24,9 +24,9 @@ namespace {
 constexpr double kFinest = 1e6, kSafely = 0.2, kHelps = 0.3, kFiner = 30.0;
 constexpr int kMostTries = 2;
 constexpr size_t kMostKept = 300;  // frames
-// Factor of the estimate if finer steps do not help: four times the distance from the control
-// solution, in place of a fifth of it, since neither solution need be near. It is more than the
-// tolerance then, which a warning says.
+// Factor of the estimate if finer steps do not help, or cannot be solved: four times the distance
+// from the control solution, in place of a fifth of it, since neither solution need be near. It is
+// more than the tolerance then, which a warning says.
 constexpr double kSensitive = 20.0;
 static_assert(kSensitive * kSafely > 1.0);
 
@@ -158,8 +158,8 @@ void Refinements::Report(const std::vector<int>& regions, Recorder* recorder) co
     if (report.method != Method::kExact) continue;
     const Refinement& own = of_region_[r];
     report.error_estimate = std::max(report.error_estimate, own.kept_estimate);
-    const bool is_sensitive = own.is_settled && own.tries > 0 && !own.has_failed;
-    if (is_sensitive) report.error_estimate *= kSensitive;
+    const bool is_unconfirmed = own.is_settled && own.tries > 0;
+    if (is_unconfirmed) report.error_estimate *= kSensitive;
     const bool is_of_kept = own.kept_distance > report.error_estimate;
     report.error_estimate = std::max(report.error_estimate, own.kept_distance);
     if (report.error_estimate <= report.tolerance) continue;
