@@ -52,6 +52,11 @@ double StrengthOfAngle(const StrengthCurve& curve, double angle) {
   return std::abs(x) < 0.5 * std::numbers::pi ? std::cos(x) : 0.0;
 }
 
+double ShareAboveLeast(const StrengthCurve& curve, double angle, double shortening_rate) {
+  const double share = StrengthOfAngle(curve, angle) * StrengthOfRate(curve, shortening_rate);
+  return share - kLeastStrength;
+}
+
 Strength StrengthAt(const StrengthCurve& curve, double angle, double shortening_rate) {
   const double share = StrengthOfAngle(curve, angle) * StrengthOfRate(curve, shortening_rate);
   if (share >= kLeastStrength) return {curve.torque * share, false};

@@ -56,6 +56,8 @@ inline auto MembersOf(const JointStrength& strength) {
 }
 
 Strength StrengthAt(const StrengthCurve& curve, double angle, double shortening_rate);
+// Returns the share of `torque` that the model says there, less kLeastStrength.
+double ShareAboveLeast(const StrengthCurve& curve, double angle, double shortening_rate);
 
 // The share of the torque at rest that is left at a rate [rad/s], positive where muscles shorten.
 double StrengthOfRate(const StrengthCurve& curve, double shortening_rate);

@@ -35,7 +35,8 @@ struct SolverRules {
         limits_follow_hinges(version >= 2),
         hits_at_one_distance(version >= 2),
         controls_equal_steps(version >= 2),
-        finds_brief_losses(version >= 2) {}
+        finds_brief_losses(version >= 2),
+        lists_strength_kinks(version >= 2) {}
 
   // Velocity of a figure that contacts place is kept where a region begins. Before: its placement
   // pinned the contacts, which stopped the figure. [METHOD 12.9]
@@ -118,6 +119,9 @@ struct SolverRules {
   // A pinned figure takes off where it comes away from the ground, however briefly. Before: if that
   // lasted until one of a few looks into the step. [METHOD 5.5]
   bool finds_brief_losses;
+  // Steps end where the strength of muscles that give all they can has a kink, as at rest. Before:
+  // they went over it, with an error that was in no estimate. [METHOD 8.1]
+  bool lists_strength_kinks;
 
   bool operator==(const SolverRules&) const = default;
 };
@@ -128,16 +132,16 @@ inline auto MembersOf(const SolverRules& rules) {
                locates_landings_exactly, pins_what_would_sink, sweeps_large_islands,
                keeps_balls_apart, opens_what_begins_to_pull, looks_about_poles, stops_by_impulse,
                no_friction_at_pins, tells_motion_from_rounding, sticks_by_hinge,
-               limits_follow_hinges, hits_at_one_distance, controls_equal_steps,
-               finds_brief_losses] = rules;
-  return std::tie(keeps_speed_of_what_touches, is_causal, releases_at_keyed_speed,
-                  stands_on_springs, parts_what_is_tied, keeps_touching_links_apart,
-                  lifts_plates_at_all_angles, feels_what_is_deep, slides_straight_beyond_stop,
-                  rests_without_gravity, locates_landings_exactly, pins_what_would_sink,
-                  sweeps_large_islands, keeps_balls_apart, opens_what_begins_to_pull,
-                  looks_about_poles, stops_by_impulse, no_friction_at_pins,
-                  tells_motion_from_rounding, sticks_by_hinge, limits_follow_hinges,
-                  hits_at_one_distance, controls_equal_steps, finds_brief_losses);
+               limits_follow_hinges, hits_at_one_distance, controls_equal_steps, finds_brief_losses,
+               lists_strength_kinks] = rules;
+  return std::tie(
+      keeps_speed_of_what_touches, is_causal, releases_at_keyed_speed, stands_on_springs,
+      parts_what_is_tied, keeps_touching_links_apart, lifts_plates_at_all_angles,
+      feels_what_is_deep, slides_straight_beyond_stop, rests_without_gravity,
+      locates_landings_exactly, pins_what_would_sink, sweeps_large_islands, keeps_balls_apart,
+      opens_what_begins_to_pull, looks_about_poles, stops_by_impulse, no_friction_at_pins,
+      tells_motion_from_rounding, sticks_by_hinge, limits_follow_hinges, hits_at_one_distance,
+      controls_equal_steps, finds_brief_losses, lists_strength_kinks);
 }
 
 }  // namespace hazumi

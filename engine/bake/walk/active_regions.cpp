@@ -55,6 +55,7 @@ ActiveRegions::ActiveRegions(const Animation& animation, const Figure& figure,
         if (drive.kind != DriveKind::kSpring) continue;
         springs_[j.value()] =
             SpringOf(drive, j, of, figure, starts.at(indices_[a]), animation.rate);
+        springs_[j.value()].lists_strength_kinks = animation.solver.rules().lists_strength_kinks;
       }
     }
     has_contacts_ |= of.touches_scene || of.touches_self;

@@ -37,8 +37,14 @@ HingePull PullOf(const Spring& spring, const SpringNow& now, const HingeMotion& 
   if (spring.has_ahead) pull += ahead;
   if (!spring.muscles) return {pull, -spring.most, spring.most};
   const StrengthLimits limits = spring.muscles->At(hinge.angle, hinge.rate);
-  return {pull, std::max(-spring.most, -now.share * limits.negative.torque),
-          std::min(spring.most, now.share * limits.positive.torque)};
+  HingePull own = {pull, std::max(-spring.most, -now.share * limits.negative.torque),
+                   std::min(spring.most, now.share * limits.positive.torque)};
+  const int side = pull > own.most ? 1 : pull < own.least ? -1 : 0;
+  if (side == 0 || !spring.lists_strength_kinks) return own;
+  const StrengthCurve& curve = side > 0 ? spring.muscles->positive : spring.muscles->negative;
+  own.rest_kink = side * hinge.rate;
+  own.least_kink = ShareAboveLeast(curve, hinge.angle, own.rest_kink);
+  return own;
 }
 
 double TorqueOf(const Spring& spring, const SpringNow& now, const HingeMotion& hinge,
@@ -239,6 +245,8 @@ void SpringDrive::AppendKinks(const RegionState& state, std::vector<double>* kin
       ForEachHinge(i, state, [&](int, const HingePull& own, const HingeMotion&) {
         kinks->push_back(own.pull - own.most);
         kinks->push_back(own.pull - own.least);
+        kinks->push_back(own.rest_kink);
+        kinks->push_back(own.least_kink);
       });
       continue;
     }

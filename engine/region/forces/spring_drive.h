@@ -32,12 +32,13 @@ struct Spring {
   }
   // Which of SpringCurves it reads.
   bool reads_frequency = false, reads_share = false, has_ahead = false;
+  bool lists_strength_kinks = false;  // HingePull says where they are
 };
 inline auto MembersOf(const Spring& spring) {
   const auto& [rate, damping_ratio, most, muscles, share, most_forward, most_backward, inertia,
-               of_ball, reads_frequency, reads_share, has_ahead] = spring;
+               of_ball, reads_frequency, reads_share, has_ahead, lists_strength_kinks] = spring;
   return std::tie(rate, damping_ratio, most, muscles, share, most_forward, most_backward, inertia,
-                  of_ball, reads_frequency, reads_share, has_ahead);
+                  of_ball, reads_frequency, reads_share, has_ahead, lists_strength_kinks);
 }
 
 // 2 pi times a frequency [rad/s, Hz].
@@ -57,6 +58,9 @@ struct HingeMotion {
 // What the spring would give, and between what that is held [N m].
 struct HingePull {
   double pull, least, most;
+  // Where muscles give all they can, these change sign where their strength has a kink: at rest
+  // [rad/s], and where it is the least; else 0.
+  double rest_kink = 0.0, least_kink = 0.0;
 };
 // `ahead`: added to the pull before it is limited [N m].
 HingePull PullOf(const Spring& spring, const SpringNow& now, const HingeMotion& hinge,
@@ -92,7 +96,7 @@ class SpringDrive : public ForceLaw {
   std::string_view name() const override { return "spring"; }
   void AddForces(const RegionState& state, NodeKinematics* kinematics) const override;
   bool has_kinks() const override;
-  // Where what it would give reaches what it may.
+  // Where what it would give reaches what it may, and where the latter has kinks.
   void AppendKinks(const RegionState& state, std::vector<double>* kinks) const override;
   // In a layout that locks no hinge.
   void ListSpent(const RegionState& state, std::vector<SpentDrive>* spent) const override;

@@ -42,6 +42,21 @@ StrengthCurve Bell() {
   return curve;
 }
 
+// Changes sign where the least strength begins.
+TEST(Strength, IsAboveTheLeastOrAtIt) {
+  int at_least = 0;
+  for (const StrengthCurve& curve : {Cosine(kMuscles[0]), Bell()}) {
+    for (double angle = -3.0; angle <= 3.0; angle += 0.1) {
+      for (double rate = -20.0; rate <= 20.0; rate += 0.5) {
+        const bool is_at_least = StrengthAt(curve, angle, rate).is_at_least;
+        EXPECT_EQ(ShareAboveLeast(curve, angle, rate) < 0.0, is_at_least) << angle << ", " << rate;
+        at_least += is_at_least;
+      }
+    }
+  }
+  EXPECT_GT(at_least, 1000);
+}
+
 TEST(Strength, OfMeasuredMusclesIsThreeQuartersAndAHalfAtTheirTwoRates) {
   for (const auto& row : kMuscles) {
     const StrengthCurve curve = Cosine(row);
