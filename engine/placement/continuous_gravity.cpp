@@ -30,6 +30,8 @@ constexpr double kChatterWindow = 1.0 / 30.0;  // [s]
 
 // Within a shorter stretch the pin's force is rounding: Lift is a difference of velocities [s].
 constexpr double kTellsForce = 1e-8;
+// For each kilogram, less of it is rounding everywhere [m/s^2].
+constexpr double kNoForce = 1e-8;
 
 // A point that rounding alone moves does not sink [m/s].
 constexpr double kNoSpeed = 1e-9;
@@ -182,17 +184,23 @@ std::optional<GravityEvent> ContinuousGravity::FindTakeOff(double t0, double t1,
     if (pull <= 0.0 || !rules_.pins_what_would_sink) return pull;
     return std::min(pull, Rise(t, pose, ws) + kNoSpeed);
   };
+  const auto lifts = [&](double t, double lift_then) {
+    if (lift_then <= 0.0 || !rules_.tells_motion_from_rounding) return lift_then > 0.0;
+    return Lift(t, t0, t1, pose, ws) > kNoForce;
+  };
   const auto lost = [&](double t) { return ClearanceAt(t, pose, ws) - kTouching; };
   const double from = std::max(t0, state_.hold_until);
   if (from >= t1) return std::nullopt;
   double before = from, lift_before = lift(from), lost_before = lost(from);
   const auto take_off = [](double t) { return GravityEvent{GravityEvent::Kind::kTakeOff, t}; };
-  if (lift_before > 0.0 || lost_before > 0.0) return take_off(from);
+  if (lifts(from, lift_before) || lost_before > 0.0) return take_off(from);
   for (int look = looks_soon ? 1 - kFirstLooks : 1; look <= kLooks; ++look) {
     const double t = look == kLooks ? t1 : from + (t1 - from) * PlaceOfLook(look) / kLooks;
     const double lift_now = lift(t), lost_now = lost(t);
     double first = kNever;
-    if (lift_now > 0.0) first = Root(before, lift_before, t, lift_now, instant, lift);
+    if (lifts(t, lift_now)) {
+      first = Root(before, std::min(lift_before, 0.0), t, lift_now, instant, lift);
+    }
     if (lost_now > 0.0) {
       first = std::min(first, Root(before, lost_before, t, lost_now, instant, lost));
     } else if (const auto top = finds_top ? FindTop(before, t, pose, ws) : std::nullopt) {

@@ -71,6 +71,12 @@ TEST(WorkingRegion, LeavesTheGroundWithoutAnImpact) { ExpectClose(992000293); }
 // A figure that took off from inside an obstacle, and that a jump of its keys takes out of it.
 TEST(WorkingRegion, LandsWhereItTookOffFromInside) { ExpectClose(993000339); }
 
+// A pinned figure that nothing moves: its pin's force is rounding, by which it took off or did not.
+TEST(WorkingRegion, StaysOnAPinWithoutForce) { ExpectClose(994000734); }
+
+// A joint that its muscles pull with all they can turns back: their strength has a kink there.
+TEST(WorkingRegion, KeepsItsToleranceWhereStrengthHasAKink) { ExpectClose(994000788); }
+
 // Such a hinge whirls round a pole, and seems to turn again and again.
 TEST(WorkingRegion, PassesAPoleOutsideItsLimits) { ExpectClose(989000391); }
 
