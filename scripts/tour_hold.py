@@ -7,8 +7,8 @@ from tour_window import (LAST_FRAME_FIELD, RULER, SECTIONS, VIEW, BoxTour, Tour,
                          story_by_hand)
 
 CLOSE_BESIDE_FILE = (944, 255)  # the same, of a project that was opened
-LEFT_ARM_ROW = (60, 715)  # its name, in the dope sheet of the throw
-MUSCLE_EDGE = (600, 701)  # the upper edge of its bar when it is full
+LEFT_ARM_ROW = (60, 745)  # its name, in the dope sheet of the throw
+MUSCLE_EDGE = (600, 731)  # the upper edge of its bar when it is full
 TOUCHES = (1137, 769)  # the tick, while there is no muscle
 ADD_SPRING, JOINTS, BY_STRENGTH = (1220, 644), (1060, 455), (1071, 767)
 ON_RAIL = (515, 213)
