@@ -63,15 +63,15 @@ struct IslandCourse {
 struct BeginIsland {
   using Result = std::monostate;
   double t = 0.0, end = 0.0;
-  double step_tolerance = 0.0;  // error of one step [rad]
-  double equal_steps = 0.0;     // as ExactStep::SetTolerance [rad]
-  HingeState state;             // its anchor is zero unless laws act from outside
+  double step_tolerance = 0.0;      // error of one step [rad]
+  double solution_tolerance = 0.0;  // as ExactStep::SetTolerance [rad]
+  HingeState state;                 // its anchor is zero unless laws act from outside
   std::shared_ptr<const DrivenMotion> curves;
   std::shared_ptr<const IslandTask> task;
 };
 inline auto MembersOf(const BeginIsland& request) {
-  const auto& [t, end, step_tolerance, equal_steps, state, curves, task] = request;
-  return std::tie(t, end, step_tolerance, equal_steps, state, curves, task);
+  const auto& [t, end, step_tolerance, solution_tolerance, state, curves, task] = request;
+  return std::tie(t, end, step_tolerance, solution_tolerance, state, curves, task);
 }
 
 // Goes on from t, where it is, with other curves.

@@ -42,7 +42,7 @@ BeginIsland::Result IslandRun::Do(const BeginIsland& request) {
   HAZUMI_ASSERT(request.step_tolerance > 0.0);
   HAZUMI_ASSERT(IsFinite(request.state.q) && IsFinite(request.state.qd));
   Attach(request.curves, request.t, request.end);
-  solver_.SetTolerance(request.step_tolerance, request.equal_steps);
+  solver_.SetTolerance(request.step_tolerance, request.solution_tolerance);
   solver_.Start(request.t, request.state);
   return {};
 }

@@ -42,7 +42,7 @@ void IslandSolution::Begin(double t, double end, const RotationState& state,
   }
   own.pin_velocity = state.pin_velocity;
   answers_.Begin(
-      {t, end, tolerance_.step, tolerance_.equal_steps, std::move(own), curves, {island_, &task}},
+      {t, end, tolerance_.step, tolerance_.of_solution, std::move(own), curves, {island_, &task}},
       known);
   time_ = step_start_ = t;
 }

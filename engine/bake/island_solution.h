@@ -23,10 +23,10 @@ struct SharedIsland {
 // The motion of one island, as it answers for it (IslandAnswers).
 class IslandSolution {
  public:
-  // Errors of one step [rad]: as asked; of a control solution also up to which the solution takes
-  // the same step (ExactStep::SetTolerance).
+  // Error of one step, and, of a control solution, that of a step of the solution which it is
+  // compared with; else 0 (ExactStep::SetTolerance) [rad].
   struct Tolerance {
-    double step, equal_steps = 0.0;
+    double step, of_solution = 0.0;
   };
   // `moving_bases` must outlive it.
   IslandSolution(std::shared_ptr<const SharedIsland> island, const Tolerance& tolerance,

@@ -52,13 +52,21 @@ double StrengthOfAngle(const StrengthCurve& curve, double angle) {
   return std::abs(x) < 0.5 * std::numbers::pi ? std::cos(x) : 0.0;
 }
 
+namespace {
+
+// Of `torque`, as the model says.
+double ShareAt(const StrengthCurve& curve, double angle, double shortening_rate) {
+  return StrengthOfAngle(curve, angle) * StrengthOfRate(curve, shortening_rate);
+}
+
+}  // namespace
+
 double ShareAboveLeast(const StrengthCurve& curve, double angle, double shortening_rate) {
-  const double share = StrengthOfAngle(curve, angle) * StrengthOfRate(curve, shortening_rate);
-  return share - kLeastStrength;
+  return ShareAt(curve, angle, shortening_rate) - kLeastStrength;
 }
 
 Strength StrengthAt(const StrengthCurve& curve, double angle, double shortening_rate) {
-  const double share = StrengthOfAngle(curve, angle) * StrengthOfRate(curve, shortening_rate);
+  const double share = ShareAt(curve, angle, shortening_rate);
   if (share >= kLeastStrength) return {curve.torque * share, false};
   return {curve.torque * kLeastStrength, true};
 }

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/base/assert.h"
 #include "engine/region/exact/dop853_tableau.h"
 #include "engine/region/exact/dopri5_tableau.h"
 
@@ -63,10 +64,9 @@ class Dop853 {
 
   // Adds the estimated error of the step tried last to its result, `times` times.
   void AddError(double times) {
+    HAZUMI_ASSERT(!is_short_);
     for (int i = 0; i < n_; ++i) {
-      double e = 0.0;
-      for (int s = 0; s < 12; ++s) e += dop853::kE5[s] * k(s)[i];
-      stage_[i] += times * share_ * trial_h_ * e;
+      stage_[i] += times * error_share_ * trial_h_ * Sum(dop853::kE5, i);
     }
   }
 
@@ -200,14 +200,20 @@ class Dop853 {
      ...);
   }
 
+  template <size_t kCount>
+  double Sum(const double (&formula)[kCount], int component) {
+    double sum = 0.0;
+    for (size_t s = 0; s < kCount; ++s) sum += formula[s] * k(static_cast<int>(s))[component];
+    return sum;
+  }
+
   // The largest of the errors that a formula tells, in units of `scale`.
   template <size_t kCount>
   double Worst(const double (&formula)[kCount], const double* scale) {
     double worst = 0.0;
     worst_ = 0;
     for (int i = 0; i < n_; ++i) {
-      double e = 0.0;
-      for (size_t s = 0; s < kCount; ++s) e += formula[s] * k(static_cast<int>(s))[i];
+      const double e = Sum(formula, i);
       if (!(std::abs(e) / scale[i] <= worst)) worst_ = i;  // a NaN is the worst
       if (!std::isfinite(e)) return std::abs(e);
       worst = std::max(worst, std::abs(e) / scale[i]);
@@ -219,14 +225,15 @@ class Dop853 {
     const double third = Worst(dop853::kE3, scale), fifth = Worst(dop853::kE5, scale);
     const double squares = fifth * fifth + 0.01 * third * third;
     if (!std::isfinite(squares)) return HUGE_VAL;
-    share_ = 0.0;
+    error_share_ = 0.0;
     if (fifth < 1e-100) return 0.0;  // its square may be zero
-    share_ = fifth / std::sqrt(squares);
+    error_share_ = fifth / std::sqrt(squares);
     return std::abs(h) * fifth * fifth / std::sqrt(squares);
   }
 
   int n_ = 0, worst_ = 0;
-  double t0_ = 0.0, h_ = 0.0, trial_h_ = 0.0, share_ = 0.0;
+  double t0_ = 0.0, h_ = 0.0, trial_h_ = 0.0;
+  double error_share_ = 0.0;  // the error is that part of what the fifth order's formula tells
   bool is_short_ = false, has_dense_ = false;
   std::vector<double> k_, dense_, stage_, y0_, y1_;
 };

@@ -27,8 +27,8 @@ class ExactSolver {
   ExactSolver& operator=(const ExactSolver&) = delete;
 
   // As ExactStep.
-  void SetTolerance(double radians, double equal_steps = 0.0) {
-    step_.SetTolerance(radians, equal_steps);
+  void SetTolerance(double radians, double solution_tolerance = 0.0) {
+    step_.SetTolerance(radians, solution_tolerance);
   }
   void SetLongestStep(double seconds) { step_.SetLongestStep(seconds); }
 

@@ -104,7 +104,7 @@ std::optional<ExactFailure> ExactStep::Take(double end, bool is_near) {
     const double error = is_near ? step_.TryShort(use, scale_.data(), Field())
                                  : step_.Try(use, scale_.data(), Field());
     if (error <= 1.0) {
-      if (!is_near && error * tolerance_ <= equal_steps_) step_.AddError(kControlError);
+      if (!is_near && error * tolerance_ <= solution_tolerance_) step_.AddError(kControlError);
       step_.Accept(Field());
       if (is_near) break;  // which tells nothing of longer ones
       const double grow = Growth(error);

@@ -22,12 +22,13 @@ class ExactStep {
   // Both must outlive it. The limits tell the sides of ball joints.
   ExactStep(RegionDynamics* dynamics, const LimitRange* limits);
 
-  // Error of one step: of an angle [rad]; of a rate, 1/s of it times kRateScale. `equal_steps`: up
-  // to this error a step is one that another motion takes as well, which this one is compared with;
-  // kControlError times the error is added to it, so that both do not err alike [rad].
-  void SetTolerance(double radians, double equal_steps) {
+  // Error of one step: of an angle [rad]; of a rate, 1/s of it times kRateScale.
+  // `solution_tolerance`, of a control solution: the same of the solution that it is compared with
+  // [rad]; else 0. Both take the same step where its error is within that: kControlError times the
+  // error is added to it, so that they do not err alike. [METHOD 8.2]
+  void SetTolerance(double radians, double solution_tolerance) {
     tolerance_ = radians;
-    equal_steps_ = equal_steps;
+    solution_tolerance_ = solution_tolerance;
   }
   static constexpr double kControlError = 5.0;
   double tolerance() const { return tolerance_; }
@@ -100,7 +101,7 @@ class ExactStep {
 
   RegionDynamics* dynamics_;
   const LimitRange* limits_;
-  double tolerance_ = 1e-6, equal_steps_ = 0.0;
+  double tolerance_ = 1e-6, solution_tolerance_ = 0.0;
   double longest_step_ = std::numeric_limits<double>::infinity();
   Dop853 step_;
   double next_h_ = 0.0;      // [s]; 0: not known

@@ -9,8 +9,6 @@ namespace hazumi {
 
 namespace {
 
-// A hinge that far beyond its limit hits it, so that one that leaves it does not [rad].
-constexpr double kHit = 0.5 * kTouch;
 constexpr double kThrough = 1e-8;     // so near a pole goes through it [rad]
 constexpr double kBeyondPole = 1e-6;  // so far from a pole its side is certain [rad]
 
@@ -194,7 +192,7 @@ std::optional<double> HitSearch::FindCrossing(int hinge, int side, double before
       if (is_back && limits_->IsFurtherOut(limit.at, hinge, side)) return turn;
     }
   }
-  const double out_from = rules().hits_at_one_distance ? kHit : kTouch;
+  const double out_from = rules().hits_at_one_distance ? kHitDistance : kTouch;
   const double f0 = limit.Beyond(q0), f1 = limit.Beyond(look_.q[hinge]);
   if (f1 > out_from) return CrossingTime(limit, before, t);
   const double h = t - before;
@@ -227,7 +225,7 @@ double HitSearch::RateAt(double t, int hinge, int side) {
 std::optional<double> HitSearch::CrossingTime(const Limit& limit, double inside, double outside) {
   const auto out = [&](double t) {
     Look(t, &sample_);
-    return limit.Beyond(sample_.q[limit.hinge]) - kHit;
+    return limit.Beyond(sample_.q[limit.hinge]) - kHitDistance;
   };
   const auto rate = [&](double t) { return RateAt(t, limit.hinge, limit.side); };
   const double in = std::min(out(inside), -kTouch);

@@ -7,6 +7,8 @@
 namespace hazumi {
 
 constexpr double kTouch = 1e-10;  // so near a limit counts as at it [rad]
+// A hinge that far beyond its limit hits it, so that one that leaves it does not [rad].
+constexpr double kHitDistance = 0.5 * kTouch;
 
 // The limits of free hinges [rad]. A hinge that is outside has a limit where it is until it has
 // come inside. [METHOD 3.6]
@@ -27,7 +29,7 @@ class LimitRange {
   }
   // Returns whether `limit` is further out than the one that was given.
   bool IsFurtherOut(double limit, int hinge, int side) const {
-    return side * (limit - (side > 0 ? upper_ : lower_)[hinge]) > 0.5 * kTouch;
+    return side * (limit - (side > 0 ? upper_ : lower_)[hinge]) > kHitDistance;
   }
   // No room between them.
   bool is_fixed(int hinge) const { return upper_now_[hinge] - lower_now_[hinge] <= 2.0 * kTouch; }

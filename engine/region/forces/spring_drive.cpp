@@ -37,14 +37,8 @@ HingePull PullOf(const Spring& spring, const SpringNow& now, const HingeMotion& 
   if (spring.has_ahead) pull += ahead;
   if (!spring.muscles) return {pull, -spring.most, spring.most};
   const StrengthLimits limits = spring.muscles->At(hinge.angle, hinge.rate);
-  HingePull own = {pull, std::max(-spring.most, -now.share * limits.negative.torque),
-                   std::min(spring.most, now.share * limits.positive.torque)};
-  const int side = pull > own.most ? 1 : pull < own.least ? -1 : 0;
-  if (side == 0 || !spring.lists_strength_kinks) return own;
-  const StrengthCurve& curve = side > 0 ? spring.muscles->positive : spring.muscles->negative;
-  own.rest_kink = side * hinge.rate;
-  own.least_kink = ShareAboveLeast(curve, hinge.angle, own.rest_kink);
-  return own;
+  return {pull, std::max(-spring.most, -now.share * limits.negative.torque),
+          std::min(spring.most, now.share * limits.positive.torque)};
 }
 
 double TorqueOf(const Spring& spring, const SpringNow& now, const HingeMotion& hinge,
@@ -75,6 +69,11 @@ double ExcessOf(const Spring& spring, const SpringNow& now, const Vec3& moment) 
 }
 
 namespace {
+
+// Direction in which a hinge is pulled with all there is; 0: it is not.
+int SideOfSpent(const HingePull& own) {
+  return own.pull > own.most ? 1 : own.pull < own.least ? -1 : 0;
+}
 
 Vec3 Limited(const Spring& spring, const SpringNow& now, const Vec3& pull) {
   const double excess = spring.is_limited() ? ExcessOf(spring, now, pull) : 0.0;
@@ -148,8 +147,9 @@ void SpringDrive::ForEachHinge(int node, const RegionState& state, Action&& acti
           spring.has_ahead ? state.driven.springs[hinge].torque.At(state.t).v : 0.0;
       const HingeMotion now = {state.positions[own.position + free],
                                state.velocities[own.dof + free]};
-      action(free, PullOf(spring, Now(hinge, state), now, {reference.v, reference.d}, ahead),
-             HingeMotion{reference.v - now.angle, reference.d - now.rate});
+      const HingePull pull =
+          PullOf(spring, Now(hinge, state), now, {reference.v, reference.d}, ahead);
+      action(AtHinge{free, spring, pull, now, {reference.v - now.angle, reference.d - now.rate}});
     }
     ++free;
   }
@@ -157,8 +157,8 @@ void SpringDrive::ForEachHinge(int node, const RegionState& state, Action&& acti
 
 V3 SpringDrive::MomentOnHinges(int node, const RegionState& state) const {
   double torques[3] = {};
-  ForEachHinge(node, state, [&](int free, const HingePull& own, const HingeMotion&) {
-    torques[free] = std::clamp(own.pull, own.least, own.most);
+  ForEachHinge(node, state, [&](const AtHinge& at) {
+    torques[at.free] = std::clamp(at.pull.pull, at.pull.least, at.pull.most);
   });
   return MomentOfHinges(state.kinematics.motion()[node], state.layout.node(node).num_dofs, torques);
 }
@@ -196,15 +196,14 @@ JointSpring SpringDrive::SpringOnBall(int node, const RegionState& state) const 
 JointSpring SpringDrive::SpringOnHinges(int node, const RegionState& state) const {
   JointSpring all{node, MomentOnHinges(node, state).eigen()};
   const auto& axes = state.kinematics.motion()[node].axis;
-  ForEachHinge(node, state, [&](int free, const HingePull& own, const HingeMotion&) {
-    if (own.pull > own.most || own.pull < own.least) return;
-    const int hinge = state.layout.node(node).first_hinge + free;  // no hinge is locked
-    const Spring& spring = springs_[hinge];
+  ForEachHinge(node, state, [&](const AtHinge& at) {
+    if (SideOfSpent(at.pull) != 0) return;
+    const int hinge = state.layout.node(node).first_hinge + at.free;  // no hinge is locked
     const double rate = Now(hinge, state).rate;
-    const Vec3 axis = axes[static_cast<size_t>(free)].eigen();
-    const Mat3 about = spring.inertia * axis * axis.transpose();
+    const Vec3 axis = axes[static_cast<size_t>(at.free)].eigen();
+    const Mat3 about = at.spring.inertia * axis * axis.transpose();
     all.stiffness += rate * rate * about;
-    all.damping += 2.0 * spring.damping_ratio * rate * about;
+    all.damping += 2.0 * at.spring.damping_ratio * rate * about;
   });
   return all;
 }
@@ -225,9 +224,9 @@ Vec3 SpringDrive::Limit(const RegionState& state, int node, const Vec3& moment) 
   }
   const NodeMotion& own = state.kinematics.motion()[node];
   double torques[3] = {};
-  ForEachHinge(node, state, [&](int free, const HingePull& pull, const HingeMotion&) {
-    const double torque = moment.dot(own.axis[static_cast<size_t>(free)].eigen());
-    torques[free] = std::clamp(torque, pull.least, pull.most);
+  ForEachHinge(node, state, [&](const AtHinge& at) {
+    const double torque = moment.dot(own.axis[static_cast<size_t>(at.free)].eigen());
+    torques[at.free] = std::clamp(torque, at.pull.least, at.pull.most);
   });
   return MomentOfHinges(own, state.layout.node(node).num_dofs, torques).eigen();
 }
@@ -238,15 +237,24 @@ bool SpringDrive::has_kinks() const {
   });
 }
 
+// Zeros where the muscles do not give all they can.
+void SpringDrive::AppendStrengthKinks(const AtHinge& at, std::vector<double>* kinks) {
+  const int side = SideOfSpent(at.pull);
+  const JointStrength& muscles = *at.spring.muscles;
+  const double rate = side * at.now.rate;
+  const StrengthCurve& curve = side > 0 ? muscles.positive : muscles.negative;
+  kinks->push_back(rate);
+  kinks->push_back(side != 0 ? ShareAboveLeast(curve, at.now.angle, rate) : 0.0);
+}
+
 void SpringDrive::AppendKinks(const RegionState& state, std::vector<double>* kinks) const {
   for (int i = 0; i < static_cast<int>(state.layout.nodes().size()); ++i) {
     if (!Pulls(i, state)) continue;
     if (!state.model.nodes[i].is_ball) {
-      ForEachHinge(i, state, [&](int, const HingePull& own, const HingeMotion&) {
-        kinks->push_back(own.pull - own.most);
-        kinks->push_back(own.pull - own.least);
-        kinks->push_back(own.rest_kink);
-        kinks->push_back(own.least_kink);
+      ForEachHinge(i, state, [&](const AtHinge& at) {
+        kinks->push_back(at.pull.pull - at.pull.most);
+        kinks->push_back(at.pull.pull - at.pull.least);
+        if (at.spring.muscles && at.spring.lists_strength_kinks) AppendStrengthKinks(at, kinks);
       });
       continue;
     }
@@ -268,11 +276,11 @@ void SpringDrive::ListSpent(const RegionState& state, std::vector<SpentDrive>* s
     if (!Pulls(i, state)) continue;
     const int first = state.layout.node(i).first_hinge;
     if (!state.model.nodes[i].is_ball) {
-      ForEachHinge(i, state, [&](int free, const HingePull& own, const HingeMotion& off) {
-        const double given = std::clamp(own.pull, own.least, own.most);
-        const double approach = off.angle > 0.0 ? -off.rate : off.rate;
-        add({false, first + free, std::abs(given), std::abs(own.pull), std::abs(off.angle),
-             approach});
+      ForEachHinge(i, state, [&](const AtHinge& at) {
+        const double given = std::clamp(at.pull.pull, at.pull.least, at.pull.most);
+        const double approach = at.off.angle > 0.0 ? -at.off.rate : at.off.rate;
+        add({false, first + at.free, std::abs(given), std::abs(at.pull.pull),
+             std::abs(at.off.angle), approach});
       });
       continue;
     }

@@ -32,7 +32,7 @@ struct Spring {
   }
   // Which of SpringCurves it reads.
   bool reads_frequency = false, reads_share = false, has_ahead = false;
-  bool lists_strength_kinks = false;  // HingePull says where they are
+  bool lists_strength_kinks = false;  // SpringDrive::AppendKinks does
 };
 inline auto MembersOf(const Spring& spring) {
   const auto& [rate, damping_ratio, most, muscles, share, most_forward, most_backward, inertia,
@@ -58,9 +58,6 @@ struct HingeMotion {
 // What the spring would give, and between what that is held [N m].
 struct HingePull {
   double pull, least, most;
-  // Where muscles give all they can, these change sign where their strength has a kink: at rest
-  // [rad/s], and where it is the least; else 0.
-  double rest_kink = 0.0, least_kink = 0.0;
 };
 // `ahead`: added to the pull before it is limited [N m].
 HingePull PullOf(const Spring& spring, const SpringNow& now, const HingeMotion& hinge,
@@ -96,7 +93,8 @@ class SpringDrive : public ForceLaw {
   std::string_view name() const override { return "spring"; }
   void AddForces(const RegionState& state, NodeKinematics* kinematics) const override;
   bool has_kinks() const override;
-  // Where what it would give reaches what it may, and where the latter has kinks.
+  // Differences of what it would give and what it may, and, where it gives all that muscles can,
+  // what changes sign where their strength has a kink: at rest, and where it becomes the least.
   void AppendKinks(const RegionState& state, std::vector<double>* kinks) const override;
   // In a layout that locks no hinge.
   void ListSpent(const RegionState& state, std::vector<SpentDrive>* spent) const override;
@@ -116,10 +114,17 @@ class SpringDrive : public ForceLaw {
   bool Pulls(int node, const RegionState& state) const;
   BallPull PullOnBall(int node, const RegionState& state) const;
   small::V3 MomentOnBall(int node, const RegionState& state) const;
-  // action(free, pull, off) for each that has one; off: from where it is to where that pulls.
+  struct AtHinge {
+    int free;  // among the node's hinges that are
+    const Spring& spring;
+    HingePull pull;
+    HingeMotion now, off;  // off: from where it is to where it is pulled
+  };
+  // action(at) for each that has one.
   template <typename Action>
   void ForEachHinge(int node, const RegionState& state, Action&& action) const;
   small::V3 MomentOnHinges(int node, const RegionState& state) const;
+  static void AppendStrengthKinks(const AtHinge& at, std::vector<double>* kinks);
   JointSpring SpringOnBall(int node, const RegionState& state) const;
   JointSpring SpringOnHinges(int node, const RegionState& state) const;
 

@@ -222,7 +222,7 @@ std::vector<Change> TaskChanges() {
       {"upper", [](Case* c) { Nudge(&c->task.upper[0]); }},
       {"gravity", [](Case* c) { Nudge(&c->task.gravity); }},
       {"step_tolerance", [](Case* c) { Nudge(&c->tolerance.step); }},
-      {"equal_steps", [](Case* c) { Nudge(&c->tolerance.equal_steps); }},
+      {"solution_tolerance", [](Case* c) { Nudge(&c->tolerance.of_solution); }},
       {"R_root", [](Case* c) { Nudge(&c->task.model.R_root(2, 1)); }},
       {"coupling", [](Case* c) { c->task.model.coupling = RootCoupling::kPinned; }},
       {"pin_node", [](Case* c) { ++c->task.model.pin_node; }},
