@@ -33,18 +33,23 @@ constexpr double kTellsForce = 1e-8;
 // For each kilogram, less of it is rounding everywhere [m/s^2].
 constexpr double kNoForce = 1e-8;
 
-// A point that rounding alone moves does not sink [m/s].
-constexpr double kNoSpeed = 1e-9;
-// A point that touches but sinks no faster than kHeldSpeed [m/s] has not landed: a contact of a
-// region holds it, to the error of the solution. A figure that does fall is faster within 1e-7 s.
-// The search goes on from there with a limit kHeld [m] deeper, lowered by twice as much each time.
+// A point that sinks or rises no faster than kHeldSpeed [m/s] is moved by rounding, or held by a
+// contact of a region, to the error of the solution. A figure that does fall is faster within
+// 1e-7 s. If the point touches it has not landed: the search for landings goes on from there with a
+// limit kHeld [m] deeper, lowered by twice as much each time.
 constexpr double kHeldSpeed = 1e-6, kHeld = 1e-10;
 
-// Between t0, where `f` is at most zero, and t1, where it is positive: where it turns positive.
+// Between t0, where `f` is at most zero, and t1, where it is positive: around where it turns
+// positive.
+template <typename Function>
+Bracket Turn(double t0, double f0, double t1, double f1, double instant, Function&& f) {
+  const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * std::abs(t1);
+  return Narrow({t0, std::min(f0, 0.0), t1, f1}, std::max(instant, rounding), f);
+}
+
 template <typename Function>
 double Root(double t0, double f0, double t1, double f1, double instant, Function&& f) {
-  const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * std::abs(t1);
-  return Narrow({t0, std::min(f0, 0.0), t1, f1}, std::max(instant, rounding), f).b;
+  return Turn(t0, f0, t1, f1, instant, f).b;
 }
 
 }  // namespace
@@ -159,14 +164,30 @@ double ContinuousGravity::Lift(double t, double t0, double t1, const Pose& pose,
   return g_.dot(state_.normal) - acceleration;
 }
 
-// Normal speed of the point that is nearest to something, or deepest in it; positive: away [m/s].
-double ContinuousGravity::Rise(double t, const Pose& pose, DynamicsWorkspace* ws) const {
+// The point that is nearest to something, or deepest in it.
+ContinuousGravity::Rise ContinuousGravity::RiseAt(double t, const Pose& pose,
+                                                  DynamicsWorkspace* ws) const {
   const FigureMotion motion = PlacedAt(t, pose, ws);
   const std::optional<Contact> contact = NearestContact(figure_, scene_, *ws);
-  if (!contact) return kNever;
+  if (!contact) return {t, kNever, -1};
   ComputeVelocities(figure_, motion.root.w, motion.root.v, motion.qd, ws);
   const BodyScratch& body = ws->body(figure_.links()[contact->link].joint);
-  return (body.v + body.w.cross(contact->point - body.p)).dot(contact->normal);
+  const Vec3 v = body.v + body.w.cross(contact->point - body.p);
+  return {t, v.dot(contact->normal), contact->link};
+}
+
+// Returns a time from a to b at which it rises. Another link that is the deepest one for less than
+// a millisecond may be missed.
+std::optional<double> ContinuousGravity::FindRise(const Rise& a, const Rise& b, const Pose& pose,
+                                                  DynamicsWorkspace* ws) const {
+  constexpr double kBrief = 1e-3, kSoon = 1e-6;  // [s]
+  if (a.speed > -kHeldSpeed) return a.t;
+  if (b.t - a.t <= (a.link == b.link ? kBrief : kSoon)) {
+    return b.speed > -kHeldSpeed ? std::optional(b.t) : std::nullopt;
+  }
+  const Rise m = RiseAt(0.5 * (a.t + b.t), pose, ws);
+  const std::optional<double> first = FindRise(a, m, pose, ws);
+  return first ? first : FindRise(m, b, pose, ws);
 }
 
 std::optional<GravityEvent> ContinuousGravity::FindTakeOff(double t0, double t1, const Pose& pose,
@@ -175,42 +196,67 @@ std::optional<GravityEvent> ContinuousGravity::FindTakeOff(double t0, double t1,
   const bool has_landed = !state_.landings.empty() && state_.landings.back() == t0;
   const bool looks_soon = has_landed && rules_.locates_landings_exactly;
   const double instant = TolerancesOf(rules_).instant;
-  const bool finds_top = rules_.finds_brief_losses;
+  const bool finds_brief = rules_.finds_brief_losses;
   const bool tells_force = t1 - t0 >= kTellsForce || !rules_.tells_motion_from_rounding;
-  // Positive where the figure takes off.
-  const auto lift = [&](double t) {
-    if (!tells_force) return 0.0;
-    const double pull = Lift(t, t0, t1, pose, ws);
-    if (pull <= 0.0 || !rules_.pins_what_would_sink) return pull;
-    return std::min(pull, Rise(t, pose, ws) + kNoSpeed);
+  struct PinLook {
+    double pull;
+    std::optional<Rise> rise;  // while the pin pulls
+    // Positive where the figure takes off.
+    double lift() const { return rise ? std::min(pull, rise->speed + kHeldSpeed) : pull; }
   };
-  const auto lifts = [&](double t, double lift_then) {
-    if (lift_then <= 0.0 || !rules_.tells_motion_from_rounding) return lift_then > 0.0;
-    return Lift(t, t0, t1, pose, ws) > kNoForce;
+  const auto look_at = [&](double t) {
+    PinLook look = {tells_force ? Lift(t, t0, t1, pose, ws) : 0.0, std::nullopt};
+    if (look.pull > 0.0 && rules_.pins_what_would_sink) look.rise = RiseAt(t, pose, ws);
+    return look;
+  };
+  const auto lift = [&](double t) { return look_at(t).lift(); };
+  // Where the pin pulls between two looks, at one of which it does.
+  const auto find_rise = [&](double a, const PinLook& at_a, double b, const PinLook& at_b) {
+    const auto pull = [&](double t) { return Lift(t, t0, t1, pose, ws); };
+    const auto eases = [&](double t) { return -pull(t); };
+    const Rise first =
+        at_a.rise ? *at_a.rise : RiseAt(Root(a, at_a.pull, b, at_b.pull, instant, pull), pose, ws);
+    const Rise last = at_b.rise
+                          ? *at_b.rise
+                          : RiseAt(Turn(a, -at_a.pull, b, -at_b.pull, instant, eases).a, pose, ws);
+    return FindRise(first, last, pose, ws);
+  };
+  const auto lifts = [&](const PinLook& look) {
+    return look.lift() > 0.0 && (look.pull > kNoForce || !rules_.tells_motion_from_rounding);
   };
   const auto lost = [&](double t) { return ClearanceAt(t, pose, ws) - kTouching; };
   const double from = std::max(t0, state_.hold_until);
   if (from >= t1) return std::nullopt;
-  double before = from, lift_before = lift(from), lost_before = lost(from);
+  double before = from, lost_before = lost(from);
+  PinLook then = look_at(from);
   const auto take_off = [](double t) { return GravityEvent{GravityEvent::Kind::kTakeOff, t}; };
-  if (lifts(from, lift_before) || lost_before > 0.0) return take_off(from);
+  if (lifts(then) || lost_before > 0.0) return take_off(from);
   for (int look = looks_soon ? 1 - kFirstLooks : 1; look <= kLooks; ++look) {
     const double t = look == kLooks ? t1 : from + (t1 - from) * PlaceOfLook(look) / kLooks;
-    const double lift_now = lift(t), lost_now = lost(t);
+    const PinLook now = look_at(t);
+    const double lost_now = lost(t);
     double first = kNever;
-    if (lifts(t, lift_now)) {
-      first = Root(before, std::min(lift_before, 0.0), t, lift_now, instant, lift);
+    const auto find_from_here = [&](double later, double lift_later) {
+      first = Root(before, std::min(then.lift(), 0.0), later, lift_later, instant, lift);
+    };
+    if (lifts(now)) {
+      find_from_here(t, now.lift());
+    } else if (finds_brief && std::max(then.pull, now.pull) > kNoForce) {
+      const auto rise = find_rise(before, then, t, now);
+      if (const double lift_then = rise ? lift(*rise) : 0.0; lift_then > 0.0) {
+        find_from_here(*rise, lift_then);
+      }
     }
     if (lost_now > 0.0) {
       first = std::min(first, Root(before, lost_before, t, lost_now, instant, lost));
-    } else if (const auto top = finds_top ? FindTop(before, t, pose, ws) : std::nullopt) {
+    } else if (const auto top = finds_brief ? FindTop(before, t, pose, ws) : std::nullopt) {
       if (const double lost_at_top = lost(*top); lost_at_top > 0.0) {
         first = std::min(first, Root(before, lost_before, *top, lost_at_top, instant, lost));
       }
     }
     if (first < kNever) return take_off(first);
     before = t;
-    lift_before = lift_now;
+    then = now;
     lost_before = lost_now;
   }
   return std::nullopt;
@@ -241,11 +287,11 @@ double ContinuousGravity::SpeedBound(double t0, double t1, const Pose& pose,
 std::optional<double> ContinuousGravity::FindTop(double t0, double t1, const Pose& pose,
                                                  DynamicsWorkspace* ws) const {
   constexpr double kSoon = 1e-6;  // [s]
-  const auto sinks = [&](double t) { return -Rise(t, pose, ws); };
+  const auto sinks = [&](double t) { return -RiseAt(t, pose, ws).speed; };
   const double f1 = sinks(t1);
-  if (f1 <= kNoSpeed) return std::nullopt;
+  if (f1 <= kHeldSpeed) return std::nullopt;
   const double f0 = sinks(t0);
-  if (f0 >= -kNoSpeed) return std::nullopt;
+  if (f0 >= -kHeldSpeed) return std::nullopt;
   return Narrow({t0, f0, t1, f1}, kSoon, sinks).b;
 }
 
@@ -296,7 +342,7 @@ std::optional<GravityEvent> ContinuousGravity::FindLanding(double t0, double t1,
     }
     if (next_gap < -tolerances.depth) {
       const double touches = Root(t, -gap, next, -next_gap, tolerances.instant, depth);
-      if (!rules_.pins_what_would_sink || Rise(touches, pose, ws) < -kHeldSpeed) {
+      if (!rules_.pins_what_would_sink || RiseAt(touches, pose, ws).speed < -kHeldSpeed) {
         return GravityEvent{GravityEvent::Kind::kLanding, touches};
       }
       state_.allowed -= held;

@@ -78,7 +78,14 @@ class ContinuousGravity {
   std::optional<GravityEvent> FindTakeOff(double t0, double t1, const Pose& pose,
                                           DynamicsWorkspace* ws) const;
   double Lift(double t, double t0, double t1, const Pose& pose, DynamicsWorkspace* ws) const;
-  double Rise(double t, const Pose& pose, DynamicsWorkspace* ws) const;
+  struct Rise {
+    double t;      // [s]
+    double speed;  // along the normal [m/s]
+    int link;
+  };
+  Rise RiseAt(double t, const Pose& pose, DynamicsWorkspace* ws) const;
+  std::optional<double> FindRise(const Rise& a, const Rise& b, const Pose& pose,
+                                 DynamicsWorkspace* ws) const;
   std::optional<double> FindTop(double t0, double t1, const Pose& pose,
                                 DynamicsWorkspace* ws) const;
   double RaisedGround(double clearance) const;

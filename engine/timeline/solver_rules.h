@@ -116,8 +116,8 @@ struct SolverRules {
   // A step of the control solution that the solution takes as well errs by five times its error
   // more. Before: both erred alike, which no estimate shows. [METHOD 8.2]
   bool controls_equal_steps;
-  // A pinned figure takes off where it comes away from the ground, however briefly. Before: if that
-  // lasted until one of a few looks into the step. [METHOD 5.5]
+  // A pinned figure takes off where it comes away from the ground, or rises while its pin pulls,
+  // however briefly. Before: if that lasted until one of a few looks into the step. [METHOD 5.5]
   bool finds_brief_losses;
   // Steps end where the strength of muscles that give all they can has a kink, as at rest. Before:
   // they went over it, with an error that was in no estimate. [METHOD 8.1]

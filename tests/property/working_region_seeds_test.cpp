@@ -64,6 +64,13 @@ TEST(WorkingRegion, EstimatesErrorsOfStepsThatEndsDecide) { ExpectClose(99000005
 // A figure that rolls over its pinned joint, and comes away from the ground for 2 ms.
 TEST(WorkingRegion, TakesOffBriefly) { ExpectClose(991000070); }
 
+// A figure whose pin has to pull while it sinks: until a link that swings past is its lowest one
+// for less than a millisecond; while what a contact of its region holds sinks by rounding; and from
+// 2 ms after its pin begins to.
+TEST(WorkingRegion, TakesOffWhereAnyLinkRises) {
+  for (const int seed : {997000250, 996000737, 998000047}) ExpectClose(seed);
+}
+
 // A sliding point that leaves the ground, where friction wedges it: an impact would stop it however
 // slowly it approached, as rounding lets it.
 TEST(WorkingRegion, LeavesTheGroundWithoutAnImpact) { ExpectClose(992000293); }
