@@ -1,5 +1,5 @@
 // Refinement of a region with steps of increasing sharpness, S_0 = 1, S_1 = 30, S_2 = 900 ... The
-// motion is that of S_i up to the first frame where the error estimate of S_i exceeds a fifth of
+// motion is that of S_i up to the first frame where the error estimate of S_i exceeds a tenth of
 // the tolerance (a miss), and that of S_(i+1) from there on, or of S_(i+2) if that does not help. A
 // refinement has to reduce the estimate at that frame to 0.3 of its value: the error is at times a
 // few times the estimate, and some motions are so sensitive that no step size predicts their end.
@@ -21,7 +21,10 @@ namespace hazumi {
 
 namespace {
 
-constexpr double kFinest = 1e6, kSafely = 0.2, kHelps = 0.3, kFiner = 30.0;
+constexpr double kFinest = 1e6, kHelps = 0.3, kFiner = 30.0;
+// Share of the tolerance that an estimate may be. The control solution is then at most half the
+// tolerance away: where steps are too coarse for an estimate the error is of that order.
+constexpr double kSafely = 0.1, kSafelyInVersion1 = 0.2;
 constexpr int kMostTries = 2;
 constexpr size_t kMostKept = 300;  // frames
 // Factor of the estimate if finer steps do not help, or cannot be solved: four times the distance
@@ -173,7 +176,7 @@ bool Refinements::SharpenAll(const std::vector<int>& regions, Recorder* recorder
   for (const int r : regions) {
     const RegionReport& report = recorder->report(r);
     Refinement& refinement = of_region_[r];
-    const double estimate = report.error_estimate, safe = kSafely * report.tolerance;
+    const double estimate = report.error_estimate, safe = kSafelyInVersion1 * report.tolerance;
     if (report.method != Method::kExact || estimate <= safe) continue;
     const double finer = refinement.sharpness * 3.0 * estimate / safe;
     // A body that tumbles was that sensitive before time-stepping mode was entered.
