@@ -1,11 +1,11 @@
 #include "engine/matrix/semidefinite.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "engine/matrix/dense_kernels.h"
+#include "engine/matrix/eigen_system.h"
 #include "engine/spatial/checks.h"
 #include "engine/spatial/smooth_step.h"
 
@@ -75,14 +75,14 @@ VecX LeastNorm(const MatX& A, const VecX& b) {
     SolveSemidefinite(L, x);
     return unit.cwiseProduct(x);
   }
-  const Eigen::SelfAdjointEigenSolver<MatX> eigen(scaled);
-  VecX parts = eigen.eigenvectors().transpose() * x;
+  const EigenSystem eigen = EigenSystemOf(scaled);
+  VecX parts = eigen.vectors.transpose() * x;
   for (Eigen::Index k = 0; k < parts.size(); ++k) {
-    const double value = eigen.eigenvalues()[k];
+    const double value = eigen.values[k];
     const double share = std::clamp((value - kSaidTwice) / (kSaidOnce - kSaidTwice), 0.0, 1.0);
     parts[k] = share > 0.0 ? SmoothStep(share) * parts[k] / value : 0.0;
   }
-  return unit.cwiseProduct(eigen.eigenvectors() * parts);
+  return unit.cwiseProduct(eigen.vectors * parts);
 }
 
 VecX SolveGivingWay(MatX A, bool is_symmetric, const VecX& b, const VecX& softness) {

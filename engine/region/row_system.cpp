@@ -9,11 +9,11 @@
 
 #include "engine/region/row_system.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
 #include "engine/base/assert.h"
+#include "engine/matrix/eigen_system.h"
 #include "engine/matrix/semidefinite.h"
 
 namespace hazumi {
@@ -294,11 +294,11 @@ std::vector<RowSystem::Eigenvalue> RowSystem::Spectrum() const {
     if (others == 0) firmest = A.diagonal().maxCoeff();
     unit[k] = firmest > 0.0 ? 1.0 / std::sqrt(firmest) : 0.0;
   }
-  const Eigen::SelfAdjointEigenSolver<MatX> eigen(unit.asDiagonal() * A * unit.asDiagonal());
+  const EigenSystem eigen = EigenSystemOf(unit.asDiagonal() * A * unit.asDiagonal());
   for (Eigen::Index k = 0; k < unit.size(); ++k) {
     Eigen::Index most = 0;
-    eigen.eigenvectors().col(k).cwiseAbs().maxCoeff(&most);
-    spectrum.push_back({eigen.eigenvalues()[k], rows_[closed[most]].constraint});
+    eigen.vectors.col(k).cwiseAbs().maxCoeff(&most);
+    spectrum.push_back({eigen.values[k], rows_[closed[most]].constraint});
   }
   return spectrum;
 }

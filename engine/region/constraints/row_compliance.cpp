@@ -8,10 +8,10 @@
 
 #include "engine/region/constraints/row_compliance.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
+#include "engine/matrix/eigen_system.h"
 #include "engine/matrix/semidefinite.h"
 #include "engine/spatial/checks.h"
 #include "engine/spatial/smooth_step.h"
@@ -56,12 +56,12 @@ RowCompliance ComplianceOf(const std::vector<ConstraintRow>& rows, const MatX& A
     S.col(k) -= A_cg.transpose() * LeastNorm(A_cc, A_cg.col(k));
   }
   const MatX scaled = unit.asDiagonal() * S * unit.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<MatX> eigen(0.5 * (scaled + scaled.transpose()));
-  const MatX& U = eigen.eigenvectors();
+  const EigenSystem eigen = EigenSystemOf(0.5 * (scaled + scaled.transpose()));
+  const MatX& U = eigen.vectors;
   const VecX slows = U.transpose() * unit.cwiseProduct(VecX(damping(others)));
   VecX C = VecX::Zero(slows.size()), d = C;
   for (Eigen::Index k = 0; k < slows.size(); ++k) {
-    const double s = eigen.eigenvalues()[k], h = Step(s / kHold);
+    const double s = eigen.values[k], h = Step(s / kHold);
     if (h < 1.0) C[k] = 1.0 / kSoftest;
     if (s <= 0.0) continue;
     C[k] = 1.0 / (h / s + kSoftest) - 1.0 / (1.0 / s + kSoftest);
