@@ -13,7 +13,7 @@ from . import drawing, video
 from .errors import FarmError
 
 CONTACT_SHEET = pathlib.Path(__file__).resolve().parents[1] / "contact_sheet"
-MOST_ON_SHEET = 100   # frames, every second of which is on it: montage takes its time
+MOST_ON_SHEET = 100   # frames, every second of which is on it: larger ones are hard to read
 TRIED = 10            # frames that are drawn to tell how long one takes
 
 
@@ -132,16 +132,16 @@ class RenderWork:
     def merge_sheet(self, pictures, scratch):
         """As scripts/contact_sheet makes it of a folder; of every Nth frame if they are many."""
         path, scratch = self.folder.path / "sheet.png", pathlib.Path(scratch)
-        if not shutil.which("montage"):
-            raise FarmError("the program montage, which makes sheets, is not installed; on Debian: "
-                            "apt install imagemagick; frames and video are kept")
+        if not shutil.which("ffmpeg"):
+            raise FarmError("the program ffmpeg, which makes sheets, is not installed; on Debian: "
+                            "apt install ffmpeg; frames and video are kept")
         every = -(-len(pictures) // MOST_ON_SHEET)
         for i, picture in enumerate(pictures[::every]):
             (scratch / f"frame_{i:06d}.png").symlink_to(picture)
         done = subprocess.run([CONTACT_SHEET, scratch, scratch / "sheet.png"], capture_output=True,
                               text=True, check=False)
         if done.returncode != 0:
-            raise FarmError(f"{path}: montage: {drawing.last_line(done.stderr)}")
+            raise FarmError(f"{path}: ffmpeg: {drawing.last_line(done.stderr)}")
         temporary = path.with_name(".sheet.png.tmp")
         shutil.copyfile(scratch / "sheet.png", temporary)
         temporary.replace(path)
