@@ -99,7 +99,8 @@ void Lift(double room, Animation* animation) {
 Vec3 PlaceBeside(const Animation& animation, const MotionFrame& frame, const DynamicsWorkspace& ws,
                  double radius, Random* random) {
   for (;;) {
-    const Vec3 above = random->Vector3(0.5) + random->Uniform(1.0, 2.5) * Vec3::UnitZ();
+    const Vec3 beside = random->Vector3(0.5);
+    const Vec3 above = beside + random->Uniform(1.0, 2.5) * Vec3::UnitZ();
     const Vec3 place = frame.X_WR.p + above;
     const Capsule ball = {place, place, radius};
     const auto touches = [&](const auto& shape) {

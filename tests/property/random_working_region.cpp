@@ -269,10 +269,11 @@ class RegionMaker {
   void AddBox() {
     for (int tries = 0; tries < 20; ++tries) {
       SceneObject box;
-      const Vec3 half(random_.Uniform(0.05, 0.5), random_.Uniform(0.05, 0.5),
-                      random_.Uniform(0.05, 0.4));
+      const Vec3 half = {random_.Uniform(0.05, 0.5), random_.Uniform(0.05, 0.5),
+                         random_.Uniform(0.05, 0.4)};
       const Mat3 R = random_.Chance(0.5) ? Mat3(random_.Rotation()) : Mat3(Mat3::Identity());
-      box.shape = Box{{R, PlaceOf(MovedGroup()) + random_.Vector3(1.0)}, half};
+      const Vec3 near = PlaceOf(MovedGroup());
+      box.shape = Box{{R, near + random_.Vector3(1.0)}, half};
       const double clearance = ClearanceFrom(box);
       if (clearance < 0.001 || clearance > 0.5) continue;
       return animation_.scene.push_back(box);
