@@ -36,6 +36,7 @@ struct JointGroup {
   std::string name;
   JointIndex first;  // nearest the root
   int size = 1;
+  std::optional<BodyPlace> body = {};  // as stated
   JointIndex last() const { return JointIndex(first.value() + size - 1); }
 };
 

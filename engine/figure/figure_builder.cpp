@@ -172,7 +172,7 @@ class FigureAssembler {
   JointIndex AddJoint(const JointSpec& spec, JointIndex parent) {
     const GroupIndex group(static_cast<int>(figure_.groups_.size()));
     const JointIndex first(figure_.num_joints());
-    figure_.groups_.push_back({spec.name, first, static_cast<int>(spec.hinges.size())});
+    figure_.groups_.push_back({spec.name, first, static_cast<int>(spec.hinges.size()), spec.body});
     Pose X_PJ{spec.orientation, spec.offset};
     for (const HingeSpec& hinge : spec.hinges) {
       AddHinge(spec, hinge, group, parent, X_PJ);

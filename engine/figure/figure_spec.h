@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/figure/body_role.h"
 #include "engine/figure/link_surface.h"
 #include "engine/figure/strength.h"
 #include "engine/spatial/types.h"
@@ -53,6 +54,7 @@ struct JointSpec {
   Mat3 orientation = Mat3::Identity();  // of the joint's frame in the parent's, all angles zero
   std::vector<HingeSpec> hinges;
   std::vector<LinkSpec> links;
+  std::optional<BodyPlace> body = {};  // not given: told by its name, if no joint states it
 
   // What a hinge is called in the figure.
   std::string NameOf(const HingeSpec& hinge) const {

@@ -43,6 +43,7 @@ JointSpec Twin(JointSpec joint, const MirrorSpec& mirror) {
   joint.parent = TwinName(joint.parent, mirror);
   joint.offset = Reflect(joint.offset);
   joint.orientation = Reflect(joint.orientation);
+  if (joint.body) joint.body->side = OtherSide(joint.body->side);
   for (HingeSpec& hinge : joint.hinges) hinge.axis = -Reflect(hinge.axis);
   for (LinkSpec& link : joint.links) link = Twin(link, mirror);
   return joint;

@@ -31,7 +31,7 @@ constexpr double kChatterWindow = 1.0 / 30.0;  // [s]
 // Within a shorter stretch the pin's force is rounding: Lift is a difference of velocities [s].
 constexpr double kTellsForce = 1e-8;
 // For each kilogram, less of it is rounding everywhere [m/s^2].
-constexpr double kNoForce = 1e-8;
+constexpr double kNoPull = 1e-8;
 
 // A point that sinks or rises no faster than kHeldSpeed [m/s] is moved by rounding, or held by a
 // contact of a region, to the error of the solution. A figure that does fall is faster within
@@ -222,7 +222,7 @@ std::optional<GravityEvent> ContinuousGravity::FindTakeOff(double t0, double t1,
     return FindRise(first, last, pose, ws);
   };
   const auto lifts = [&](const PinLook& look) {
-    return look.lift() > 0.0 && (look.pull > kNoForce || !rules_.tells_motion_from_rounding);
+    return look.lift() > 0.0 && (look.pull > kNoPull || !rules_.tells_motion_from_rounding);
   };
   const auto lost = [&](double t) { return ClearanceAt(t, pose, ws) - kTouching; };
   const double from = std::max(t0, state_.hold_until);
@@ -241,7 +241,7 @@ std::optional<GravityEvent> ContinuousGravity::FindTakeOff(double t0, double t1,
     };
     if (lifts(now)) {
       find_from_here(t, now.lift());
-    } else if (finds_brief && std::max(then.pull, now.pull) > kNoForce) {
+    } else if (finds_brief && std::max(then.pull, now.pull) > kNoPull) {
       const auto rise = find_rise(before, then, t, now);
       if (const double lift_then = rise ? lift(*rise) : 0.0; lift_then > 0.0) {
         find_from_here(*rise, lift_then);

@@ -152,6 +152,18 @@ struct EnumNames<Look::Shape> {
       {Look::Shape::kTaperedCapsule, "tapered_capsule"}, {Look::Shape::kEllipsoid, "ellipsoid"}};
 };
 
+template <>
+struct EnumNames<BodyRole> {
+  static constexpr const char* kWhat = "role";
+  static constexpr auto kNames = NamesUpTo<BodyRole::kHelper>();
+};
+
+template <>
+struct EnumNames<BodySide> {
+  static constexpr const char* kWhat = "side";
+  static constexpr auto kNames = NamesUpTo<BodySide::kRight>();
+};
+
 // Tables have none: they are written out.
 template <>
 struct EnumNames<LinkSurface::Kind> {

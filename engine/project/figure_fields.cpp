@@ -204,6 +204,11 @@ static void Describe(FieldReader& in, JointSpec& joint) {
   in.Required({"offset_m"}, joint.offset);
   in.Optional({"orientation_deg"}, orientation_deg);
   joint.orientation = RotationFromAngles(orientation_deg);
+  if (in.Find("role")) {
+    joint.body.emplace();
+    in.Required({"role"}, joint.body->role);
+    in.Optional({"side"}, joint.body->side);
+  }
   in.Required({"hinges"}, joint.hinges);
   in.Optional({"links"}, joint.links);
 }

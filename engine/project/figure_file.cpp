@@ -119,6 +119,10 @@ Json ToJson(const JointSpec& joint) {
   if (!joint.orientation.isIdentity(0.0)) {
     json["orientation_deg"] = hazumi::ToJson(AnglesOf(joint.orientation));
   }
+  if (joint.body) {
+    json["role"] = NameOf(joint.body->role);
+    if (joint.body->side != BodySide::kMiddle) json["side"] = NameOf(joint.body->side);
+  }
   for (const HingeSpec& hinge : joint.hinges) json["hinges"].push_back(ToJson(hinge));
   if (!joint.links.empty()) json["links"] = ToJson(joint.links);
   return json;

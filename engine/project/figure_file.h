@@ -26,4 +26,7 @@ Result<FigureSpec> ParseFigure(std::string_view text, const std::string& file_na
 // but for rounding where joints are turned.
 std::string FigureText(const FigureSpec& spec);
 
+// The human that comes with Hazumi: assets/figures/human.json.
+const FigureSpec& HumanFigure();
+
 }  // namespace hazumi

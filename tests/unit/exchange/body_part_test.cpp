@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "engine/exchange/import/body_names.h"
+#include "engine/body/body_names.h"
+#include "engine/exchange/import/segment_table.h"
 
 namespace hazumi::test {
 namespace {
@@ -114,10 +115,9 @@ void ExpectChain(const std::vector<std::pair<std::string, BodyPart>>& chain) {
   for (const auto& [name, part] : chain) {
     bones.push_back({name, static_cast<int>(bones.size()) - 1});
   }
-  const std::vector<BoneInBody> told = BonesInBody(bones);
+  const std::vector<BodyName> told = BonesInBody(bones);
   for (size_t b = 0; b < chain.size(); ++b) {
-    EXPECT_EQ(static_cast<int>(told[b].name.part), static_cast<int>(chain[b].second))
-        << chain[b].first;
+    EXPECT_EQ(static_cast<int>(told[b].part), static_cast<int>(chain[b].second)) << chain[b].first;
   }
 }
 
@@ -163,7 +163,7 @@ TEST(BodyNames, WordsOfLimbsOnNoSideAreNoLimbs) {
 
 TEST(BodyNames, AreThoseOfABodyOnlyWithATrunkOrHeadAndALimb) {
   const auto is_body = [](const std::vector<NamedBone>& bones) {
-    return BonesInBody(bones)[0].segment != BodySegment::kNone;
+    return IsBody(BonesInBody(bones));
   };
   EXPECT_TRUE(is_body({{"Hips", -1}, {"LeftUpLeg", 0}}));
   EXPECT_FALSE(is_body({{"base", -1}, {"arm_l0", 0}, {"forearm", 1}, {"wrist", 2}}));

@@ -1,4 +1,4 @@
-#include "engine/exchange/import/body_names.h"
+#include "engine/body/body_names.h"
 
 #include <algorithm>
 #include <array>
@@ -28,11 +28,9 @@ class Names {
     }
   }
 
-  std::vector<BoneInBody> Tell() {
+  std::vector<BodyName> Tell() {
     for (size_t b = 0; b < bones_.size(); ++b) told_.push_back(Told(b));
-    if (!IsBody()) return told_;
-    for (size_t b = 0; b < bones_.size(); ++b) told_[b].segment = Segment(b);
-    return told_;
+    return std::move(told_);
   }
 
  private:
@@ -41,7 +39,7 @@ class Names {
     words_[side][static_cast<size_t>(name.word)] = true;
     if (name.word == BodyWord::kClear) parts_[side][static_cast<size_t>(name.body.part)] = true;
     const bool is_sided = name.body.side != BodySide::kMiddle;
-    has_sides_ = has_sides_ || (is_sided && IsLimb(SegmentOf(name.body.part)));
+    has_sides_ = has_sides_ || (is_sided && IsLimb(name.body.part));
   }
   bool Has(BodySide side, BodyPart part) const {
     return parts_[static_cast<size_t>(side)][static_cast<size_t>(part)];
@@ -50,16 +48,16 @@ class Names {
     return words_[static_cast<size_t>(side)][static_cast<size_t>(word)];
   }
 
-  BoneInBody Told(size_t b) const {
+  BodyName Told(size_t b) const {
     BodyName name = read_[b].body;
-    const BodyName above = bones_[b].parent < 0 ? BodyName() : told_[bones_[b].parent].name;
+    const BodyName above = bones_[b].parent < 0 ? BodyName() : told_[bones_[b].parent];
     name.part = Clear(read_[b], above.part);
     // "Footsteps", "spring": words of limbs that are on no side, where others are.
-    if (has_sides_ && name.side == BodySide::kMiddle && IsLimb(SegmentOf(name.part))) {
+    if (has_sides_ && name.side == BodySide::kMiddle && IsLimb(name.part)) {
       name.part = BodyPart::kOther;
     }
     if (IsEnd(above.part)) name.part = above.part;
-    return {name, BodySegment::kNone};
+    return name;
   }
 
   BodyPart Clear(const ReadName& name, BodyPart above) const {
@@ -97,26 +95,9 @@ class Names {
     return limb[0];
   }
 
-  bool IsBody() const {
-    bool has_middle = false, has_limb = false;
-    for (const BoneInBody& bone : told_) {
-      const bool is_middle = bone.name.side == BodySide::kMiddle;
-      const BodySegment segment = SegmentOf(bone.name.part);
-      has_middle = has_middle || (is_middle && segment != BodySegment::kNone && !IsLimb(segment));
-      has_limb = has_limb || (!is_middle && IsLimb(segment));
-    }
-    return has_middle && has_limb;
-  }
-
-  BodySegment Segment(size_t b) const {
-    const BodySegment own = SegmentOf(told_[b].name.part);
-    if (own != BodySegment::kNone) return own;
-    return bones_[b].parent < 0 ? BodySegment::kTrunk : told_[bones_[b].parent].segment;
-  }
-
   const std::vector<NamedBone>& bones_;
   std::vector<ReadName> read_;
-  std::vector<BoneInBody> told_;
+  std::vector<BodyName> told_;
   std::array<std::array<bool, kNumBodyParts>, 3> parts_ = {};  // by side: named clearly
   std::array<std::array<bool, 5>, 3> words_ = {};              // by side
   bool has_sides_ = false;
@@ -124,8 +105,19 @@ class Names {
 
 }  // namespace
 
-std::vector<BoneInBody> BonesInBody(const std::vector<NamedBone>& bones) {
+std::vector<BodyName> BonesInBody(const std::vector<NamedBone>& bones) {
   return Names(bones).Tell();
+}
+
+bool IsBody(const std::vector<BodyName>& bones) {
+  bool has_middle = false, has_limb = false;
+  for (const BodyName& bone : bones) {
+    const bool is_middle = bone.side == BodySide::kMiddle;
+    const bool is_of_limb = IsLimb(bone.part);
+    has_middle = has_middle || (is_middle && !is_of_limb && bone.part != BodyPart::kOther);
+    has_limb = has_limb || (!is_middle && is_of_limb);
+  }
+  return has_middle && has_limb;
 }
 
 }  // namespace hazumi

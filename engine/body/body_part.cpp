@@ -1,4 +1,4 @@
-#include "engine/exchange/import/body_part.h"
+#include "engine/body/body_part.h"
 
 #include <algorithm>
 #include <cctype>
@@ -25,7 +25,7 @@ const std::vector<PartWords>& Words() {
       {BodyPart::kFoot, {"foot", "feet", "toe", "ankle", "heel", "ball"}},
       {BodyPart::kHead, {"head", "skull", "jaw", "eye", "face", "nose", "brow", "hair"}},
       {BodyPart::kNeck, {"neck"}},
-      {BodyPart::kPelvis, {"hipjoint", "pelvis", "hips"}},
+      {BodyPart::kPelvis, {"hipjoint", "pelvis", "hips", "butt"}},
       {BodyPart::kThigh, {"upleg", "upperleg", "legupper", "thigh", "femur"}},
       {BodyPart::kShank,
        {"lowleg", "lowerleg", "leglower", "foreleg", "shin", "calf", "knee", "tibia", "shank"}},
@@ -38,23 +38,8 @@ const std::vector<PartWords>& Words() {
   return words;
 }
 
-bool IsLetter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
-bool IsUpper(char c) { return std::isupper(static_cast<unsigned char>(c)) != 0; }
-
-// Letters in lower case, in words: at anything else and where a capital follows a small letter a
-// new one begins.
-std::vector<std::string> WordsOf(const std::string& name) {
-  std::vector<std::string> words(1);
-  for (size_t i = 0; i < name.size(); ++i) {
-    const bool is_new = !IsLetter(name[i]) || (IsUpper(name[i]) && i > 0 && IsLetter(name[i - 1]) &&
-                                               !IsUpper(name[i - 1]));
-    if (is_new && !words.back().empty()) words.emplace_back();
-    const auto c = static_cast<unsigned char>(name[i]);
-    if (IsLetter(name[i])) words.back() += static_cast<char>(std::tolower(c));
-  }
-  if (words.back().empty()) words.pop_back();
-  return words;
-}
+bool IsAlpha(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
+bool IsCapital(char c) { return std::isupper(static_cast<unsigned char>(c)) != 0; }
 
 // "lfemur", "rhand": a side, and at once what it is the side of.
 bool IsSided(const std::string& word) {
@@ -82,7 +67,7 @@ BodySide TakeSide(const std::string& name, std::vector<std::string>* words) {
     return side;
   }
   const bool is_prefixed = name.size() > 2 && (name[0] == 'L' || name[0] == 'R') &&
-                           IsUpper(name[1]) && IsLetter(name[2]) && !IsUpper(name[2]);
+                           IsCapital(name[1]) && IsAlpha(name[2]) && !IsCapital(name[2]);
   if (words->empty() || !(is_prefixed || IsSided(words->front()))) return BodySide::kMiddle;
   const char side = words->front()[0];
   words->front().erase(0, 1);
@@ -126,10 +111,24 @@ bool IsHelperWord(const std::string& word) {
 
 }  // namespace
 
+std::vector<std::string> WordsOfName(const std::string& name) {
+  std::vector<std::string> words(1);
+  for (size_t i = 0; i < name.size(); ++i) {
+    const bool is_hump =
+        IsCapital(name[i]) && i > 0 && IsAlpha(name[i - 1]) && !IsCapital(name[i - 1]);
+    const bool is_new = !IsAlpha(name[i]) || is_hump;
+    if (is_new && !words.back().empty()) words.emplace_back();
+    const auto c = static_cast<unsigned char>(name[i]);
+    if (IsAlpha(name[i])) words.back() += static_cast<char>(std::tolower(c));
+  }
+  if (words.back().empty()) words.pop_back();
+  return words;
+}
+
 ReadName ReadBoneName(const std::string& bone) {
   const size_t space = bone.rfind(':');  // "mixamorig:Hips"
   const std::string name = space == std::string::npos ? bone : bone.substr(space + 1);
-  std::vector<std::string> words = WordsOf(name);
+  std::vector<std::string> words = WordsOfName(name);
   ReadName read;
   read.body.side = TakeSide(name, &words);
   std::string text;

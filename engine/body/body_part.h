@@ -38,6 +38,9 @@ enum class BodyWord {
   kLeg,       // a shank, a thigh, or any bone of a leg
 };
 
+// Whether there is one on each side.
+inline bool IsLimb(BodyPart part) { return part >= BodyPart::kUpperArm && part <= BodyPart::kFoot; }
+
 // What a bone's name alone says, in the spelling of any common rig: "mixamorig:LeftForeArm",
 // "l_forearm", "forearm.L", "Skeleton_arm_joint_L__3_". Of a word that is not clear: what it is in
 // most rigs.
@@ -48,6 +51,10 @@ struct ReadName {
   bool is_helper = false;  // of a rig, no part of a body: "ik_hand_l", "kneePole.L"
 };
 ReadName ReadBoneName(const std::string& bone);
+
+// Letters of a name in lower case, in words: at anything else and where a capital follows a small
+// letter a new one begins.
+std::vector<std::string> WordsOfName(const std::string& name);
 
 // Names without what all of them begin with up to a separator, such as "Armature_" or "Hero|",
 // unless that is a side.
