@@ -23,6 +23,16 @@ bool ReadLimits(const std::string& text, Options* options) {
   return text == "none" || text == "clip";
 }
 
+bool ReadHinges(const std::string& text, Options* options) {
+  if (text == "file") options->import.hinges = ImportHinges::kFile;
+  return text == "file" || text == "body";
+}
+
+bool ReadFacing(const std::string& text, Options* options) {
+  options->import.faces_forward = text == "forward";
+  return text == "file" || text == "forward";
+}
+
 // A positive number, `most` at most.
 bool KeepPositive(const std::string& text, double most, std::optional<double>* field) {
   const auto number = ReadFinite(text);
@@ -110,10 +120,29 @@ constexpr OptionRule kForeignFileRules[] = {
      .tasks = kForeign,
      .section = Section::kForeignFiles,
      .value = "L",
-     .help = "clip: joints go a little farther than in the clip; none",
+     .help = "clip: a body's joints go as far as people's do or the clip does, others a little "
+             "farther than in the clip; none",
      .choices = "clip none",
      .remedy = "give clip or none",
      .read = ReadLimits},
+    {.name = "--hinges",
+     .tasks = kForeign,
+     .section = Section::kForeignFiles,
+     .value = "H",
+     .help =
+         "body: arms, legs, spine and head turn about a body's axes; file: all joints turn about "
+         "the file's, in its order",
+     .choices = "body file",
+     .remedy = "give body or file",
+     .read = ReadHinges},
+    {.name = "--facing",
+     .tasks = kForeign,
+     .section = Section::kForeignFiles,
+     .value = "F",
+     .help = "forward: turned so that it faces x at rest; file: as the file has it",
+     .choices = "forward file",
+     .remedy = "give forward or file",
+     .read = ReadFacing},
     {.name = "--no-skin",
      .tasks = kForeign,
      .section = Section::kForeignFiles,

@@ -115,8 +115,8 @@ class LinkMaker {
     const BonePose& rest = skeleton_.rest[skeleton_.bones[k].bone];
     const Bone& bone = character_.bones[skeleton_.bones[k].bone];
     if (bone.end_site) {
-      add(world_.Placed((k == 0 ? rest.R : Mat3(Mat3::Identity())) *
-                        (rest.stretch * *bone.end_site)));
+      const Vec3 end = rest.stretch * *bone.end_site;
+      add(k == 0 ? world_.Placed(rest.R * end) : world_.Way(end));
     }
     if (ends.empty() && !vertices_[k].empty()) {
       Vec3 mean = Vec3::Zero();

@@ -13,6 +13,10 @@ constexpr size_t kMostBytes = 100;  // of a name
 constexpr size_t kMostNames = 100;
 
 constexpr size_t kLongest = 200;  // bytes
+// All that a joint's hinges may be called.
+constexpr const char* kHinges[] = {
+    "x",         "y",         "z",         "flexion",   "bend",        "rotation", "abduction",
+    "pronation", "deviation", "inversion", "elevation", "protraction", "spread"};
 
 std::string Cleaned(const std::string& bone) {
   std::string name = bone.substr(0, kLongest);
@@ -35,17 +39,16 @@ class TakenNames {
  private:
   bool IsFree(const std::string& name, bool has_hinges) const {
     if (taken_.contains(name)) return false;
-    for (int axis = 0; has_hinges && axis < 3; ++axis) {
-      if (taken_.contains(name + "_" + HingeName(axis))) return false;
-    }
-    return true;
+    return !has_hinges ||
+           std::none_of(std::begin(kHinges), std::end(kHinges), [&](const std::string& hinge) {
+             return taken_.contains(name + "_" + hinge);
+           });
   }
 
   void Take(const std::string& name, bool has_hinges) {
     taken_.insert(name);
-    for (int axis = 0; has_hinges && axis < 3; ++axis) {
-      taken_.insert(name + "_" + HingeName(axis));
-    }
+    if (!has_hinges) return;
+    for (const char* hinge : kHinges) taken_.insert(name + "_" + hinge);
   }
 
   std::unordered_set<std::string> taken_;

@@ -19,6 +19,12 @@ enum class ImportLimits {
   kNone,  // nowhere
 };
 
+// Which hinges joints get.
+enum class ImportHinges {
+  kBody,  // parts of a body the same ones in every figure, other joints the file's
+  kFile,  // the file's, in its order
+};
+
 // Limits of the sampling rate [1/s].
 inline constexpr double kLeastImportFps = 0.1, kMostImportFps = 1e4;
 
@@ -32,6 +38,8 @@ struct ImportOptions {
   std::optional<double> mass_kg;          // not given: that of a person so tall
   std::optional<double> reduce_deg;  // fewer keys, this far off at most; not given: every frame
   ImportLimits limits = ImportLimits::kClip;
+  ImportHinges hinges = ImportHinges::kBody;
+  bool faces_forward = true;  // turned so that it faces x at rest; else as the file has it
   bool skin = true;
 };
 

@@ -27,14 +27,14 @@ Skin SkinFor(const Character& character, const Skeleton& skeleton, const FigureP
   skin.textures = character.textures;
   for (const PlannedJoint& joint : plan.joints) skin.bones.push_back(joint.name);
   Eigen::Matrix4d to_world = Eigen::Matrix4d::Identity();
-  to_world.topLeftCorner<3, 3>() = world.metres * world.C;
+  to_world.topLeftCorner<3, 3>() = world.metres * world.F * world.C;
   for (SkinMesh& mesh : skin.meshes) {
     for (SkinMesh::Bind& bind : mesh.binds) {
       const int kept = KeptFor(bind.bone, character, skeleton);
       const BonePose& rest = skeleton.rest[skeleton.bones[kept].bone];
       // At rest the body's axes are the bone's, turned into the world's; the root's are the
       // world's.
-      Pose X_WB{world.Turned(rest.R), world.Placed(rest.p)};
+      Pose X_WB{world.AxesInWorld(rest.R), world.Placed(rest.p)};
       if (kept == 0) X_WB.R = Mat3::Identity();
       Eigen::Matrix4d X_BW = Eigen::Matrix4d::Identity();
       X_BW.topLeftCorner<3, 3>() = X_WB.Inverse().R;

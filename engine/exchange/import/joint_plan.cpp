@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "engine/base/text.h"
+#include "engine/body/body_axes.h"
 #include "engine/exchange/import/import_names.h"
 
 namespace hazumi {
@@ -41,11 +42,12 @@ HingeRange RangeOf(const std::vector<Vec3>& values) {
 class Planner {
  public:
   Planner(const Character& character, const Skeleton& skeleton, const Clip* clip,
-          const WorldFrame& world, ImportReport* report)
+          const WorldFrame& world, const ImportOptions& options, ImportReport* report)
       : character_(character),
         skeleton_(skeleton),
         clip_(clip),
         world_(world),
+        options_(options),
         report_(report),
         num_frames_(clip ? clip->num_frames : 1) {}
 
@@ -57,6 +59,7 @@ class Planner {
       plan_.joints.push_back(Joint(k));
       plan_.joints.back().name = names[k];
     }
+    if (options_.hinges == ImportHinges::kBody && !skeleton_.has_four_legs) SetBodyHinges();
     PlaceRoot();
     return std::move(plan_);
   }
@@ -78,8 +81,9 @@ class Planner {
     const Mat3 turn = parent.is_even()
                           ? bone(k).rest.R
                           : Mat3(parent.R.transpose() * skeleton_.rest[skeleton_.bones[k].bone].R);
-    joint.orientation = world_.Turned(above * turn);
-    joint.offset = world_.Placed(above * (parent.stretch * Offset(k)));
+    const Vec3 offset = parent.stretch * Offset(k);
+    joint.orientation = on_root ? world_.AxesInWorld(above * turn) : world_.Turned(turn);
+    joint.offset = on_root ? world_.Placed(above * offset) : world_.Way(offset);
     Turn(k, &joint);
     return joint;
   }
@@ -126,6 +130,68 @@ class Planner {
     for (int i = 0; i < 3; ++i) joint->axes[i] = WorldAxis(axes[i]);
   }
 
+  // The parts of a body get its hinges. With A a bone's body axes in its own frame, B its axes at
+  // rest and S its body axes at rest, both in the root's frame, and p its parent:
+  //   A = B^T S,   orientation = A_p A^T,   E = A_p^T R A,   at rest E = S_p^T S.
+  void SetBodyHinges() {
+    const std::vector<Pose> rest = RestBodies(plan_);
+    std::vector<RestBone> bones;
+    for (size_t k = 0; k < rest.size(); ++k) {
+      bones.push_back({skeleton_.bones[k].place, plan_.joints[k].parent, rest[k], EndOf(k, rest)});
+    }
+    const std::vector<Mat3> S = BodyAxesOf(bones);
+    std::vector<Mat3> A;
+    for (size_t k = 0; k < rest.size(); ++k) A.push_back(rest[k].R.transpose() * S[k]);
+    for (size_t k = 1; k < rest.size(); ++k) {
+      PlannedJoint& joint = plan_.joints[k];
+      joint.body = BodyHingesOf(bones[k].place, PartOfRow(k), 1.0);
+      if (!joint.body) continue;
+      const Mat3 before = joint.orientation, A_p = A[static_cast<size_t>(joint.parent)];
+      const auto angles = [&](const Mat3& R, const Vec3& previous) -> Vec3 {
+        const Mat3 E = A_p.transpose() * R * A[k];
+        return joint.signs.cwiseProduct(
+            EulerAnglesNear(E, joint.axes, joint.signs.cwiseProduct(previous)));
+      };
+      for (int h = 0; h < 3; ++h) {
+        joint.axes[h] = (*joint.body)[static_cast<size_t>(h)].axis;
+        joint.signs[h] = (*joint.body)[static_cast<size_t>(h)].sign;
+      }
+      joint.num_hinges = 3;
+      joint.rest = angles(before, Vec3::Zero());
+      Vec3 previous = joint.rest;
+      for (int f = 0; f < static_cast<int>(joint.angles.size()); ++f) {
+        const Mat3 R =
+            track(k).rotations.empty() ? before : Mat3(before * world_.Turned(Turned(k, f)));
+        joint.angles[static_cast<size_t>(f)] = previous = angles(R, previous);
+      }
+      joint.frame = A[k];
+      joint.orientation = A_p * A[k].transpose();
+    }
+  }
+
+  std::optional<Vec3> EndOf(size_t k, const std::vector<Pose>& rest) const {
+    const std::optional<Vec3>& end = bone(k).end_site;
+    if (!end) return std::nullopt;
+    return rest[k] * world_.Way(skeleton_.rest[skeleton_.bones[k].bone].stretch * *end);
+  }
+
+  // Of the spine, or of the neck and the head.
+  RowPart PartOfRow(size_t k) const {
+    const auto row_of = [&](size_t b) {
+      const BodyRole role = skeleton_.bones[b].place.role;
+      return role == BodyRole::kHead ? BodyRole::kNeck : role;
+    };
+    const BodyRole row = row_of(k);
+    if (row != BodyRole::kSpine && row != BodyRole::kNeck) return {};
+    int before = 0, all = 0;
+    for (size_t b = 0; b < skeleton_.bones.size(); ++b) {
+      if (row_of(b) != row) continue;
+      before += b < k ? 1 : 0;
+      ++all;
+    }
+    return {static_cast<double>(before) / all, (before + 1.0) / all};
+  }
+
   // The file's angles, those that jump between two frames, as at 180 degrees, replaced by others
   // that say the same and do not: what lies between two keys follows them.
   static std::vector<Vec3> Continuous(std::vector<Vec3> angles, const EulerAxes& axes,
@@ -152,6 +218,7 @@ class Planner {
     return static_cast<int>(along);
   }
 
+  // From rest, in the bone's own frame.
   Mat3 Turned(size_t k, int frame) const {
     return bone(k).rest.R.transpose() * track(k).rotations[frame].toRotationMatrix();
   }
@@ -194,7 +261,8 @@ class Planner {
     for (int f = 0; f < num_frames_; ++f) {
       const BonePose pose = PosesAt(character_, clip_, f)[root];
       plan_.root_position.push_back(world_.Placed(pose.p));
-      previous = EulerAnglesNear(world_.Turned(pose.R * rest.transpose()), kRootAxes, previous);
+      previous =
+          EulerAnglesNear(world_.TurnedInWorld(pose.R * rest.transpose()), kRootAxes, previous);
       plan_.root_angles.push_back(previous);
     }
   }
@@ -203,6 +271,7 @@ class Planner {
   const Skeleton& skeleton_;
   const Clip* clip_;
   const WorldFrame& world_;
+  const ImportOptions& options_;
   ImportReport* report_;
   int num_frames_;
   FigurePlan plan_;
@@ -211,8 +280,19 @@ class Planner {
 }  // namespace
 
 FigurePlan PlanFigure(const Character& character, const Skeleton& skeleton, const Clip* clip,
-                      const WorldFrame& world, ImportReport* report) {
-  return Planner(character, skeleton, clip, world, report).Plan();
+                      const WorldFrame& world, const ImportOptions& options, ImportReport* report) {
+  return Planner(character, skeleton, clip, world, options, report).Plan();
+}
+
+std::string PlannedJoint::HingeName(int hinge) const {
+  const std::string own =
+      body ? (*body)[static_cast<size_t>(hinge)].name : hazumi::HingeName(axes[hinge]);
+  return name + "_" + own;
+}
+
+Mat3 PlannedJoint::RotationAt(const Vec3& turned) const {
+  if (!body) return orientation * EulerRotation(axes, turned);
+  return orientation * frame * EulerRotation(axes, signs.cwiseProduct(turned)) * frame.transpose();
 }
 
 std::vector<Pose> BodiesOf(const FigurePlan& plan, int frame) {
@@ -220,8 +300,7 @@ std::vector<Pose> BodiesOf(const FigurePlan& plan, int frame) {
   X_WB[0] = {EulerRotation(kRootAxes, plan.root_angles[frame]), plan.root_position[frame]};
   for (size_t k = 1; k < X_WB.size(); ++k) {
     const PlannedJoint& joint = plan.joints[k];
-    const Mat3 R = joint.orientation * EulerRotation(joint.axes, joint.angles[frame]);
-    X_WB[k] = X_WB[joint.parent] * Pose{R, joint.offset};
+    X_WB[k] = X_WB[joint.parent] * Pose{joint.RotationAt(joint.angles[frame]), joint.offset};
   }
   return X_WB;
 }
@@ -230,7 +309,7 @@ std::vector<Pose> RestBodies(const FigurePlan& plan) {
   std::vector<Pose> X_RB(plan.joints.size());
   for (size_t k = 1; k < X_RB.size(); ++k) {
     const PlannedJoint& joint = plan.joints[k];
-    X_RB[k] = X_RB[joint.parent] * Pose{joint.orientation, joint.offset};
+    X_RB[k] = X_RB[joint.parent] * Pose{joint.RotationAt(joint.rest), joint.offset};
   }
   return X_RB;
 }

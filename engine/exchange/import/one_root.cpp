@@ -114,7 +114,13 @@ void Hang(int branch, int root, Character* character) {
 std::optional<Character> WithOneRoot(const std::vector<char>& wanted, const Character& character) {
   const Branches branches(wanted, character);
   std::vector<int> found = branches.Of(-1);
-  while (found.size() == 1 && !wanted[static_cast<size_t>(found[0])]) found = branches.Of(found[0]);
+  int common = -1;
+  while (found.size() == 1 && !wanted[static_cast<size_t>(found[0])]) {
+    common = found[0];
+    found = branches.Of(common);
+  }
+  const bool is_bone = common >= 0 && character.bones[static_cast<size_t>(common)].is_joint;
+  if (is_bone) return std::nullopt;  // it is the root itself
   const int root = found.size() > 1 ? branches.Root(found) : -1;
   if (root < 0) return std::nullopt;
   Character hung = character;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/exchange/import/body_part.h"
+#include "engine/body/body_part.h"
 
 namespace hazumi {
 

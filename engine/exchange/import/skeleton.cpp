@@ -3,6 +3,8 @@
 #include <Eigen/SVD>
 #include <algorithm>
 
+#include "engine/body/bone_roles.h"
+
 namespace hazumi {
 
 namespace {
@@ -106,14 +108,23 @@ int LowestCommon(const Character& character, const std::vector<char>& wanted,
   return root;
 }
 
-void NameBones(const Character& character, std::vector<KeptBone>* kept) {
+void NameBones(const Character& character, Skeleton* skeleton) {
+  std::vector<KeptBone>* kept = &skeleton->bones;
   std::vector<NamedBone> named;
   for (const KeptBone& bone : *kept)
     named.push_back({character.bones[bone.bone].name, bone.parent});
-  const std::vector<BoneInBody> bones = BonesInBody(named);
+  const std::vector<BodyName> bones = BonesInBody(named);
+  const BoneRoles roles = RolesByName(named);
+  skeleton->has_four_legs = roles.has_four_legs;
+  const bool is_body = IsBody(bones) && !roles.has_four_legs;  // the table is of people
   for (size_t k = 0; k < bones.size(); ++k) {
-    (*kept)[k].body = bones[k].name;
-    (*kept)[k].segment = bones[k].segment;
+    KeptBone& bone = (*kept)[k];
+    bone.body = bones[k];
+    bone.place = roles.places[k];
+    if (is_body) bone.segment = SegmentOf(bones[k].part);
+    const bool is_part = bone.segment != BodySegment::kNone || !is_body;
+    if (is_part) continue;  // what names nothing belongs to what it hangs on
+    bone.segment = bone.parent < 0 ? BodySegment::kTrunk : (*kept)[bone.parent].segment;
   }
   BodyPart& root = kept->front().body.part;
   if (root == BodyPart::kOther) root = BodyPart::kPelvis;
@@ -175,9 +186,9 @@ Result<Skeleton> SkeletonOf(const Character& character) {
     }
     skeleton.kept[b] = static_cast<int>(skeleton.bones.size());
     if (parent >= 0) skeleton.bones[parent].children.push_back(skeleton.kept[b]);
-    skeleton.bones.push_back({b, b == root ? -1 : parent, {}, {}, BodySegment::kNone});
+    skeleton.bones.push_back({b, b == root ? -1 : parent, {}, {}, BodySegment::kNone, {}});
   }
-  NameBones(character, &skeleton.bones);
+  NameBones(character, &skeleton);
   return skeleton;
 }
 

@@ -8,8 +8,10 @@
 #include <vector>
 
 #include "engine/base/result.h"
+#include "engine/body/body_names.h"
 #include "engine/exchange/character/character.h"
-#include "engine/exchange/import/body_names.h"
+#include "engine/exchange/import/segment_table.h"
+#include "engine/figure/body_role.h"
 
 namespace hazumi {
 
@@ -34,6 +36,7 @@ struct KeptBone {
   std::vector<int> children;
   BodyName body;
   BodySegment segment = BodySegment::kNone;
+  BodyPlace place;
 };
 
 struct Skeleton {
@@ -41,6 +44,7 @@ struct Skeleton {
   std::vector<int> kept;        // by bone of the character: index in `bones`, or -1
   std::vector<BonePose> rest;   // by bone of the character
   std::vector<std::string> left_out;
+  bool has_four_legs = false;
 };
 
 // Flags by bone: the bone carries skin or, in a character without skin, moves and is no rig handle.

@@ -13,12 +13,18 @@ namespace hazumi {
 
 struct WorldFrame {
   UpAxis up = UpAxis::kY;
-  Mat3 C = Mat3::Identity();  // of the file's axes in the world's
+  Mat3 C = Mat3::Identity();  // of the file's axes in the world's, but for F
+  Mat3 F = Mat3::Identity();  // about z: turns the figure so that it faces x at rest
   double metres = 1.0;        // per unit
   double height = 0.0;        // of the figure at rest [m]
 
+  // A turn of one bone from another; a turn in the world; a bone's axes in the world.
   Mat3 Turned(const Mat3& R) const { return C * R * C.transpose(); }
-  Vec3 Placed(const Vec3& p) const { return metres * (C * p); }
+  Mat3 TurnedInWorld(const Mat3& R) const { return F * Turned(R) * F.transpose(); }
+  Mat3 AxesInWorld(const Mat3& R) const { return F * Turned(R); }
+  // A way in a bone's axes, and in the world's [m].
+  Vec3 Way(const Vec3& p) const { return metres * (C * p); }
+  Vec3 Placed(const Vec3& p) const { return F * Way(p); }
 };
 
 // A file's z goes forward where y is up (x is left); where z is up, x goes forward.

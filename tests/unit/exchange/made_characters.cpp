@@ -81,7 +81,8 @@ Planned PlanOf(const Character& character, const ImportOptions& options) {
   planned.skeleton = std::move(skeleton).value();
   const Clip* clip = character.clips.empty() ? nullptr : &character.clips[0];
   planned.world = WorldFrameOf(character, planned.skeleton, clip, options, &planned.report);
-  planned.plan = PlanFigure(character, planned.skeleton, clip, planned.world, &planned.report);
+  planned.plan =
+      PlanFigure(character, planned.skeleton, clip, planned.world, options, &planned.report);
   return planned;
 }
 

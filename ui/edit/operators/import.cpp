@@ -32,6 +32,12 @@ Result<ImportOptions> OptionsFrom(const Parameters& p) {
     return Refusal("limits", "\"" + limits + "\" is none of clip, none");
   }
   options.limits = limits == "clip" ? ImportLimits::kClip : ImportLimits::kNone;
+  const std::string hinges = p.text("hinges", "body");
+  if (hinges != "body" && hinges != "file") {
+    return Refusal("hinges", "\"" + hinges + "\" is none of body, file");
+  }
+  options.hinges = hinges == "body" ? ImportHinges::kBody : ImportHinges::kFile;
+  options.faces_forward = p.yes("faces_forward", true);
   options.skin = p.yes("skin", true);
   for (const auto& [name, field] : {std::pair{"unit", &options.metres_per_unit},
                                     {"height", &options.height_m},
@@ -81,7 +87,10 @@ std::vector<Operator> ImportOperators() {
         {"fps", kNumber, false,
          "frames a second, the motion being the same; not given: the clip's"},
         {"reduce", kNumber, false, "degrees that fewer keys may be off the clip"},
-        {"limits", kText, false, "clip: a little beyond what it does; none", "clip none"},
+        {"limits", kText, false, "clip: as far as people go, or a little beyond the clip; none",
+         "clip none"},
+        {"hinges", kText, false, "body: about a body's axes; file: about the file's", "body file"},
+        {"faces_forward", kYesNo, false, "false: turned as the file has it", kOnUnlessGiven},
         {"skin", kYesNo, false, "false: without its meshes", kOnUnlessGiven}},
        Import}};
 }

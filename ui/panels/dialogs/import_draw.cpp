@@ -99,10 +99,17 @@ bool DrawRest(const Editor& editor, const Character& character, ImportOptions* o
   const ImportLimits before = options->limits;
   const bool is_clip = before == ImportLimits::kClip;
   if (ImGui::RadioButton(Tr("of the clip"), is_clip)) options->limits = ImportLimits::kClip;
-  Tooltip(Tr("Joints go a little farther than in the clip"));
+  Tooltip(Tr("A body's joints go as far as people's, others a little farther than in the clip"));
   ImGui::SameLine();
   if (ImGui::RadioButton(Tr("none"), !is_clip)) options->limits = ImportLimits::kNone;
   bool is_changed = options->limits != before;
+  DrawFieldLabel(Tr("Hinges"), editor);
+  bool is_body = options->hinges == ImportHinges::kBody;
+  if (ImGui::Checkbox(Tr("of a body"), &is_body)) {
+    options->hinges = is_body ? ImportHinges::kBody : ImportHinges::kFile;
+    is_changed = true;
+  }
+  Tooltip(Tr("Arms, legs, spine and head turn about a body's axes: for throws, jumps and poses"));
   if (character.meshes.empty()) return is_changed;
   DrawFieldLabel(Tr("Skin"), editor);
   is_changed |= ImGui::Checkbox(Tr("keep its meshes"), &options->skin);

@@ -1,0 +1,140 @@
+// Limits that the human has not: clavicle after Neumann, Kinesiology of the Musculoskeletal System:
+// elevation 45, depression 10, protraction and retraction 15 to 30 degrees; fingers, ours, from the
+// sum of a finger's joints (AAOS: 90, 100, 90 degrees).
+
+#include "engine/exchange/import/body_hinges.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include "engine/project/figure_file.h"
+#include "engine/spatial/degrees.h"
+
+namespace hazumi {
+
+namespace {
+
+struct Row {
+  const char* name;
+  Vec3 axis;                        // on the right side, and in the middle
+  double lower = 0.0, upper = 0.0;  // [deg]; 0, 0: those of the human's hinge
+};
+
+struct Part {
+  const char* joint = "";  // of the human
+  double begin = 0.0, end = 1.0;
+};
+
+struct Rows {
+  BodyRole role;
+  std::vector<Part> human;
+  std::array<Row, 3> hinges;
+};
+
+const std::vector<Rows>& AllRows() {
+  static const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY(), z = Vec3::UnitZ();
+  static const std::array<Row, 3> trunk = {Row{"flexion", y}, Row{"bend", x}, Row{"rotation", z}};
+  static const std::vector<Rows> rows = {
+      {BodyRole::kSpine, {{"waist", 0.0, 0.5}, {"chest", 0.5, 1.0}}, trunk},
+      {BodyRole::kNeck, {{"neck"}}, trunk},
+      {BodyRole::kHead, {{"neck"}}, trunk},
+      {BodyRole::kClavicle,
+       {},
+       {Row{"protraction", z, -20.0, 30.0}, Row{"elevation", -x, -10.0, 45.0},
+        Row{"rotation", -y}}},
+      {BodyRole::kUpperArm,
+       {{"r_shoulder"}},
+       {Row{"flexion", -y}, Row{"rotation", -z}, Row{"abduction", -x}}},
+      {BodyRole::kForearm,
+       {{"r_elbow"}},
+       {Row{"flexion", -y}, Row{"abduction", -x}, Row{"pronation", z}}},
+      {BodyRole::kHand,
+       {{"r_wrist"}},
+       {Row{"flexion", x}, Row{"deviation", -y}, Row{"rotation", z}}},
+      {BodyRole::kFinger,
+       {},
+       {Row{"flexion", x, -20.0, 100.0}, Row{"spread", -y}, Row{"rotation", z}}},
+      {BodyRole::kThigh,
+       {{"r_hip"}},
+       {Row{"flexion", -y}, Row{"abduction", -x}, Row{"rotation", -z}}},
+      {BodyRole::kShin,
+       {{"r_knee"}},
+       {Row{"flexion", y}, Row{"abduction", -x}, Row{"rotation", -z}}},
+      {BodyRole::kFoot,
+       {{"r_ankle"}},
+       {Row{"flexion", -y}, Row{"inversion", x}, Row{"rotation", -z}}},
+      {BodyRole::kToe, {{"r_toe"}}, {Row{"flexion", -y}, Row{"bend", x}, Row{"rotation", -z}}}};
+  return rows;
+}
+
+const HingeSpec* HumanHinge(std::string_view joint, std::string_view name) {
+  for (const JointSpec& spec : HumanFigure().joints) {
+    if (spec.name != joint) continue;
+    for (const HingeSpec& hinge : spec.hinges) {
+      if (hinge.name == name || (hinge.name.empty() && name == "flexion")) return &hinge;
+    }
+  }
+  return nullptr;
+}
+
+StrengthCurve Scaled(StrengthCurve curve, double torque, double angle) {
+  curve.torque *= torque;
+  curve.best_angle *= angle;
+  curve.width *= angle;
+  return curve;
+}
+
+// What the parts of the human's row do that this part of a row covers.
+void TakeHuman(const Rows& rows, const RowPart& part, double strength, BodyHinge* hinge) {
+  double most = 0.0;
+  hinge->is_usual = false;
+  for (const Part& human : rows.human) {
+    const double both = std::min(part.end, human.end) - std::max(part.begin, human.begin);
+    const double share = std::max(0.0, both) / (human.end - human.begin);
+    const HingeSpec* spec = HumanHinge(human.joint, hinge->name);
+    if (!spec || share <= 0.0) continue;
+    hinge->is_usual = true;
+    hinge->lower += share * spec->lower;
+    hinge->upper += share * spec->upper;
+    if (!spec->strength || share <= most) continue;
+    most = share;
+    hinge->strength = JointStrength{Scaled(spec->strength->positive, strength, share),
+                                    Scaled(spec->strength->negative, strength, share)};
+  }
+}
+
+BodyHinge HingeOf(const Rows& rows, const Row& row, BodySide side, const RowPart& part,
+                  double strength) {
+  BodyHinge hinge;
+  hinge.name = row.name;
+  // Reflected, so that equal angles are mirror images.
+  const Vec3 axis =
+      side == BodySide::kLeft ? Vec3(-row.axis.x(), row.axis.y(), -row.axis.z()) : row.axis;
+  Vec3::Index along = 0;
+  axis.cwiseAbs().maxCoeff(&along);
+  hinge.axis = static_cast<int>(along);
+  hinge.sign = axis[along];
+  if (row.lower < row.upper) {
+    hinge.lower = row.lower * kDegree;
+    hinge.upper = row.upper * kDegree;
+  } else {
+    TakeHuman(rows, part, strength, &hinge);
+  }
+  return hinge;
+}
+
+}  // namespace
+
+std::optional<BodyHinges> BodyHingesOf(BodyPlace place, const RowPart& part, double strength) {
+  for (const Rows& rows : AllRows()) {
+    if (rows.role != place.role) continue;
+    BodyHinges hinges;
+    for (size_t h = 0; h < hinges.size(); ++h) {
+      hinges[h] = HingeOf(rows, rows.hinges[h], place.side, part, strength);
+    }
+    return hinges;
+  }
+  return std::nullopt;
+}
+
+}  // namespace hazumi
