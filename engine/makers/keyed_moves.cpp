@@ -8,14 +8,23 @@
 
 namespace hazumi::makers {
 
-std::optional<Error> CheckHinges(const std::vector<std::string>& names, const std::string& whose,
-                                 const Figure& figure) {
-  const auto missing = std::find_if(names.begin(), names.end(), [&](const std::string& name) {
-    return !figure.FindJoint(name).has_value();
-  });
-  if (missing == names.end()) return std::nullopt;
-  return Refusal("", "the figure has no hinge \"" + *missing + "\": a " + whose +
-                         "'s poses are those of the human that comes with Hazumi");
+std::optional<Error> CheckBody(const std::vector<std::string>& human_hinges,
+                               const std::string& whose, const Figure& figure) {
+  const FigureBody body(figure);
+  for (const std::string& hinge : human_hinges) {
+    if (!body.HingesFor(hinge).empty()) continue;
+    std::string message = "no hinge of the figure does what \"" + hinge + "\" of the human does, ";
+    message += "which a " + whose + " needs; import it again with the hinges of a body";
+    return Refusal("", std::move(message));
+  }
+  return std::nullopt;
+}
+
+std::string StandingJoint(const FigureBody& body, BodySide side, const Figure& figure) {
+  for (const BodyRole role : {BodyRole::kToe, BodyRole::kFoot, BodyRole::kShin}) {
+    if (const auto joint = body.Find(role, side)) return figure.group(*joint).name;
+  }
+  return "";
 }
 
 std::optional<Error> CheckFreeOfRegions(int first, int last, const std::string& instead,

@@ -18,6 +18,7 @@ void Describe(Ar& ar, Ref<Ar, SavedRoot> root) {
   ar.Required({.name = "height_m", .unit = "m"}, root.height_m);
   ar.Optional({.name = "angle_y_deg", .unit = "°"}, root.angle_y_deg);
   ar.Optional({.name = "angle_x_deg", .unit = "°"}, root.angle_x_deg);
+  ar.Optional({.name = "standing_height_m", .unit = "m"}, root.standing_height_m);
 }
 
 template <typename Ar>
@@ -25,6 +26,7 @@ void Describe(Ar& ar, Ref<Ar, SavedPose> pose) {
   ar.Required(kNameField, pose.name);
   ar.Optional({"root"}, pose.root);
   ar.Required({.name = "joints", .unit = "°"}, pose.joints);
+  ar.Optional({.name = "human", .unit = "°"}, pose.human);
 }
 
 template <typename Ar>

@@ -17,15 +17,19 @@ namespace hazumi {
 struct SavedRoot {
   double height_m = 0.0;                        // its origin above z = 0 of the world
   double angle_y_deg = 0.0, angle_x_deg = 0.0;  // of R = Rz Ry Rx
+  // Of the same origin when the figure that the pose is of stands upright; not given: the human.
+  std::optional<double> standing_height_m;
   ExtraFields extra;
   bool operator==(const SavedRoot&) const = default;
 };
 
-// Angles by hinge, for whatever figure has hinges of these names.
+// Angles by hinge, for whatever figure has hinges of these names; others take the human's.
 struct SavedPose {
   std::string name;
   std::optional<SavedRoot> root;
   std::vector<Named<double>> joints;
+  // By hinge of the human that comes with Hazumi, whose names `joints` has if this is empty.
+  std::vector<Named<double>> human;
   ExtraFields extra;
   bool operator==(const SavedPose&) const = default;
 };

@@ -111,7 +111,7 @@ class KnownJump {
  public:
   KnownJump(const JumpSpans& spans, const Project& project, const Animation& animation,
             const Motion& motion)
-      : project_(project), motion_(motion) {
+      : project_(project), motion_(motion), body_(*animation.figure) {
     pins_ = {project.placements[spans.before], project.placements[spans.after]};
     const int take_off = pins_.before.last_frame;
     frames_[kTakeOff] = take_off;
@@ -128,6 +128,7 @@ class KnownJump {
   int start() const { return pins_.before.first_frame; }
   int end() const { return pins_.after.last_frame; }
   const JumpFrames& frames() const { return frames_; }
+  const JumpBody& body() const { return body_; }
   const JumpPins& pins() const { return pins_; }
   JumpLengths lengths() const { return {frames_[kCrouch] - start(), end() - frames_[kAbsorbed]}; }
   Stance StanceOn(int frame) const {
@@ -155,7 +156,7 @@ class KnownJump {
   double SecondsUp(const Animation& animation) const {
     const double T = animation.rate.SecondsAt(frames_[kLanding] - frames_[kTakeOff]);
     const double c0 = FrameOf(motion_, frames_[kTakeOff]).com.z();
-    const double c1 = Stage(animation).ComOf(StanceOn(frames_[kLanding]), KeyedRoot()).z();
+    const double c1 = Stage(animation, body_).ComOf(StanceOn(frames_[kLanding]), KeyedRoot()).z();
     return animation.gravity > 0.0 ? ((c1 - c0) / T) / animation.gravity + 0.5 * T : 0.5 * T;
   }
   // Returns the nearest frame in the air on which a made jump has a pose, or `frame`.
@@ -164,7 +165,7 @@ class KnownJump {
     for (int i = 0; i <= 2 * kFar; ++i) {
       const int other = frame + (i % 2 ? -(i + 1) / 2 : i / 2);
       const bool flies = other > frames_[kTakeOff] && other < frames_[kLanding];
-      if (flies && HasPose(other, project_)) return other;
+      if (flies && HasPose(other, body_, project_)) return other;
     }
     return frame;
   }
@@ -178,13 +179,14 @@ class KnownJump {
     };
     for (int frame = first + 1; frame < last; ++frame) {
       take(frame, &lowest);
-      if (HasPose(frame, project_)) take(frame, &posed);
+      if (HasPose(frame, body_, project_)) take(frame, &posed);
     }
     return posed ? *posed : *lowest;
   }
 
   const Project& project_;
   const Motion& motion_;
+  JumpBody body_;
   JumpPins pins_;
   JumpFrames frames_{};
 };
@@ -202,7 +204,7 @@ Result<Done> EndBy(std::optional<int> latest, JumpPlan* plan) {
 
 Result<JumpReport> Jump(const KnownJump& known, const JumpSpans& spans, const Animation& animation,
                         const Vec3& target, double height, Project* project) {
-  Stage stage(animation);
+  Stage stage(animation, known.body());
   JumpPlan plan;
   plan.start = known.start();
   plan.before = known.StanceOn(known.start());
@@ -210,7 +212,7 @@ Result<JumpReport> Jump(const KnownJump& known, const JumpSpans& spans, const An
   plan.root_before = known.RootOn(known.start());
   for (int i = 0; i < kNumJumpPhases; ++i) plan.stances[i] = known.StanceOn(known.frames()[i]);
   const JumpSpots spots = {stage.ToesOf(plan.before, plan.root_before), target};
-  const bool is_made = HasContacts(known.frames(), *project);
+  const bool is_made = HasContacts(known.frames(), known.body(), *project);
   Result<Done> done = SetRoots(spots, &stage, &plan);
   if (!done.ok()) return done.error();
   done = is_made ? PlanContacts(animation, spots, height, known.lengths(), &stage, &plan)
@@ -225,7 +227,7 @@ Result<JumpReport> Jump(const KnownJump& known, const JumpSpans& spans, const An
                  AllFrames(plan.start, plan.frames, plan.end)},
                 *animation.figure, project);
   if (!done.ok()) return done.error();
-  if (is_made) KeyContacts(plan, *animation.figure, project);
+  if (is_made) KeyContacts(plan, known.body(), *animation.figure, project);
   done = PutJump(plan, known.pins(), project);
   if (!done.ok()) return done.error();
   return ReportOf(plan, height);
@@ -239,13 +241,10 @@ Result<MadeJump> AimJump(const JumpTarget& target, double frame, const Animation
   if (!spans) {
     return Refusal("", "there is no jump in this frame: a flight by gravity between two pins");
   }
-  for (const char* toe : kToes) {
-    if (animation.figure->FindGroup(toe)) continue;
-    return Refusal(
-        "", "the figure has no joint \"" + std::string(toe) + "\": a jump is aimed by its toes");
-  }
+  const JumpBody body(*animation.figure);
+  if (const auto error = body.Check(*animation.figure)) return *error;
   const KnownJump known(*spans, project, animation, motion);
-  Stage stage(animation);
+  Stage stage(animation, body);
   const Vec3 landing = known.KeyedLanding(&stage);
   const Vec3 spot(target.x.value_or(landing.x()), target.y.value_or(landing.y()), 0.0);
   const auto jump = [&](double height, Project* tried) {

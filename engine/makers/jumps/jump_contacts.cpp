@@ -35,54 +35,49 @@ namespace hazumi::makers {
 
 namespace {
 
-constexpr const char* kHip = "hip_flexion";
-
 // The feet leave the ground, or touch it.
 struct Contact {
   JumpPhase phase, rest;  // rest: in the crouch before it, or in the lowest pose after it
   double sign;            // 1: rest is before it, -1: after it
-  const char* foot;       // the hinge that keeps the foot on the ground while the body leans
   double trunk;           // so much of the lean the trunk takes part in, the legs in all of it
   double least, most;     // lean, besides kJumpLean [degrees]
 };
 
-constexpr Contact kContacts[] = {{kTakeOff, kCrouch, 1.0, "toe", 1.0, -15.0, 16.0},
-                                 {kLanding, kAbsorbed, -1.0, "ankle_flexion", 0.4, -30.0, 5.0}};
+constexpr Contact kContacts[] = {{kTakeOff, kCrouch, 1.0, 1.0, -15.0, 16.0},
+                                 {kLanding, kAbsorbed, -1.0, 0.4, -30.0, 5.0}};
 
-bool Bears(const std::string& name) {
-  for (const auto& [hinge_name, hinge] : HingesOfJump()) {
-    if (hinge_name == name) return hinge->bears;
-  }
-  return false;
+// The hinges of the contact's feet; a foot without a toe leans about its ankle.
+const std::array<std::optional<JointIndex>, 2>& FeetOf(const Contact& contact,
+                                                       const JumpBody& body) {
+  return contact.phase == kTakeOff && body.toes[0] ? body.toes : body.ankles;
 }
 
 // The legs about the foot, and the trunk on them.
-void LeanBy(double degrees, const Contact& contact, const Figure& figure, Stance* stance) {
+void LeanBy(double degrees, const Contact& contact, const JumpBody& body, Stance* stance) {
   stance->angles[1] += contact.trunk * degrees;
-  for (const char* side : {"r_", "l_"}) {
-    const auto turn = [&](const char* hinge, double by) {
-      stance->q[figure.FindJoint(side + std::string(hinge))->value()] += by * kDegree;
+  for (size_t side = 0; side < 2; ++side) {
+    const auto turn = [&](const std::optional<JointIndex>& hinge, double by) {
+      if (hinge) stance->q[hinge->value()] += by * kDegree;
     };
-    turn(contact.foot, degrees);
-    turn(kHip, (contact.trunk - 1.0) * degrees);
+    turn(FeetOf(contact, body)[side], degrees);
+    turn(body.hips[side], (contact.trunk - 1.0) * degrees);
   }
-}
-
-// Takes away the lean that its foot tells, and has it turned as the poses are. Returns the lean.
-double Straighten(const Contact& contact, const Figure& figure, Stance* stance) {
-  const std::string foot = "r_" + std::string(contact.foot);
-  const auto is_foot = [&](const auto& of) { return of.first == foot; };
-  const auto hinges = HingesOfJump();
-  const JumpHinge* hinge = std::find_if(hinges.begin(), hinges.end(), is_foot)->second;
-  const double lean =
-      stance->q[figure.FindJoint(foot)->value()] / kDegree - hinge->angles[contact.phase];
-  LeanBy(-lean, contact, figure, stance);
-  stance->angles[1] = kJumpLean[contact.phase];
-  return lean;
 }
 
 double LeanOf(const Contact& contact, const Stance& stance) {
   return (stance.angles[1] - kJumpLean[contact.phase]) / contact.trunk;
+}
+
+// Takes away the lean that its foot tells, and has it turned as the poses are. Returns the lean.
+double Straighten(const Contact& contact, const JumpBody& body, Stance* stance) {
+  const std::optional<JointIndex>& foot = FeetOf(contact, body)[0];
+  const NamedJumpHinge* hinge = foot ? body.Find(*foot) : nullptr;
+  const double lean = hinge
+                          ? stance->q[foot->value()] / kDegree - hinge->hinge.angles[contact.phase]
+                          : LeanOf(contact, *stance);
+  LeanBy(-lean, contact, body, stance);
+  stance->angles[1] = kJumpLean[contact.phase];
+  return lean;
 }
 
 Vec3 Forward(const JumpPlan& plan) {
@@ -107,11 +102,10 @@ double Ahead(JumpPhase phase, const JumpPlan& plan, Stage* stage) {
 }
 
 // The lean with which the CoM is so far ahead of the toes, or the nearest it can have.
-void LeanTo(const Contact& contact, double ahead, const Figure& figure, Stage* stage,
-            JumpPlan* plan) {
+void LeanTo(const Contact& contact, double ahead, Stage* stage, JumpPlan* plan) {
   constexpr int kSteps = 8;
   Stance& stance = plan->stances[contact.phase];
-  const auto lean_by = [&](double degrees) { LeanBy(degrees, contact, figure, &stance); };
+  const auto lean_by = [&](double degrees) { LeanBy(degrees, contact, stage->body(), &stance); };
   for (int i = 0; i < kSteps; ++i) {
     const double is = Ahead(contact.phase, *plan, stage);
     lean_by(1.0);
@@ -141,7 +135,6 @@ double LandingShare(double speed, double seconds) {
 // Both leans, each with what the other one cannot do.
 void Lean(const Animation& animation, const JumpSpots& spots, Stage* stage, JumpPlan* plan) {
   const auto& [push, catching] = kContacts;
-  const Figure& figure = *animation.figure;
   const auto ahead = [&](JumpPhase phase) { return Ahead(phase, *plan, stage); };
   const double D = Forward(*plan).dot(spots.onto - spots.from);
   const double T = animation.rate.SecondsAt(plan->frames[kLanding] - plan->frames[kTakeOff]);
@@ -152,9 +145,9 @@ void Lean(const Animation& animation, const JumpSpots& spots, Stage* stage, Jump
     const double seconds = SecondsOf(catching, animation, *plan);
     A = seconds * LandingShare(way / (T + S + A), seconds);
   }
-  LeanTo(push, r0 + S * way / (T + S + A), figure, stage, plan);
-  LeanTo(catching, r1 - A * (D + r1 - ahead(kTakeOff)) / (T + A), figure, stage, plan);
-  LeanTo(push, r0 + S * (D + ahead(kLanding) - r0) / (T + S), figure, stage, plan);
+  LeanTo(push, r0 + S * way / (T + S + A), stage, plan);
+  LeanTo(catching, r1 - A * (D + r1 - ahead(kTakeOff)) / (T + A), stage, plan);
+  LeanTo(push, r0 + S * (D + ahead(kLanding) - r0) / (T + S), stage, plan);
 }
 
 // Whether the CoM goes from rest to the flight's speed, and from that to rest, without turning
@@ -199,10 +192,11 @@ ContactRates RatesAt(const Contact& contact, const Animation& animation, const J
   Stance others{RatesBetween(contact.phase, animation, plan), Vec3::Zero()};
   Stance along{contact.sign * (stance.q - rest.q), contact.sign * (stance.angles - rest.angles)};
   for (int i = 0; i < figure.num_joints(); ++i) {
-    (Bears(figure.joint(JointIndex(i)).name) ? others : along).q[i] = 0.0;
+    const NamedJumpHinge* hinge = stage->body().Find(JointIndex(i));
+    (hinge && hinge->hinge.bears ? others : along).q[i] = 0.0;
   }
   Stance lean{VecX::Zero(stance.q.size()), Vec3::Zero()};
-  LeanBy(1.0, contact, figure, &lean);
+  LeanBy(1.0, contact, stage->body(), &lean);
   // Forward and up, per second.
   const auto moves = [&](const Stance& rates) -> Eigen::Vector2d {
     const Vec3 by = stage->ComOver(toes, Going(stance, kStep, rates)) - com;
@@ -248,9 +242,8 @@ Result<Done> PlanContacts(const Animation& animation, const JumpSpots& spots, do
                           const JumpLengths& lengths, Stage* stage, JumpPlan* plan) {
   constexpr int kRounds = 5;
   const Contact &push = kContacts[0], &catching = kContacts[1];
-  const Figure& figure = *animation.figure;
-  const double leant = Straighten(push, figure, &plan->stances[kTakeOff]);
-  Straighten(catching, figure, &plan->stances[kLanding]);
+  const double leant = Straighten(push, stage->body(), &plan->stances[kTakeOff]);
+  Straighten(catching, stage->body(), &plan->stances[kLanding]);
   Result<Done> done = SetRoots(spots, stage, plan);
   for (int round = 0; round < kRounds && done.ok(); ++round) {
     done = SetTimes(animation, height, lengths, stage, plan);
@@ -263,17 +256,23 @@ Result<Done> PlanContacts(const Animation& animation, const JumpSpots& spots, do
   return SetRates(animation, stage, plan);
 }
 
-void KeyContacts(const JumpPlan& plan, const Figure& figure, Project* project) {
+void KeyContacts(const JumpPlan& plan, const JumpBody& body, const Figure& figure,
+                 Project* project) {
   for (const Contact& contact : kContacts) {
     const int frame = plan.frames[contact.phase];
     const Stance &stance = plan.stances[contact.phase], &rates = *plan.rates[contact.phase];
-    for (const auto& [name, hinge] : HingesOfJump()) {
-      const Result<ProjectCurve*> curve = CurveNamed(name, figure, project);
+    const auto leans = [&](JointIndex joint) {
+      const auto is_it = [&](const std::optional<JointIndex>& other) { return other == joint; };
+      const auto& feet = FeetOf(contact, body);
+      return std::any_of(feet.begin(), feet.end(), is_it) ||
+             std::any_of(body.hips.begin(), body.hips.end(), is_it);
+    };
+    for (const NamedJumpHinge& of : body.hinges) {
+      const Result<ProjectCurve*> curve = CurveNamed(of.name, figure, project);
       ProjectKey* key = curve.ok() ? KeyOn(frame, curve.value()) : nullptr;
       if (!key || !key->rate) continue;
-      const int i = figure.FindJoint(name)->value();
-      const bool leans = name.ends_with(contact.foot) || name.ends_with(kHip);
-      if (leans) key->value = WithoutRoundOff(stance.q[i] / kDegree);
+      const int i = of.joint.value();
+      if (leans(of.joint)) key->value = WithoutRoundOff(stance.q[i] / kDegree);
       key->rate = WithoutRoundOff(rates.q[i] / kDegree);
     }
     ProjectKey* key = KeyOn(frame, &project->root.curves[kRootAngleY]);

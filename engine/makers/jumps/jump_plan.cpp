@@ -11,6 +11,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "engine/makers/flights/flights.h"
 #include "engine/makers/keyed_moves.h"
@@ -24,6 +25,38 @@
 namespace hazumi::makers {
 
 namespace {
+
+// The ankle keeps the foot flat where the toes would push off.
+void KeepFlat(JumpHinge* ankle) {
+  const auto& hip = kJumpHinges[0].angles;
+  const auto& knee = kJumpHinges[1].angles;
+  for (const JumpPhase phase : {kTakeOff, kStretched}) {
+    ankle->angles[phase] = knee[phase] - hip[phase] + kJumpLean[phase];
+  }
+}
+
+// Without feet the legs alone push off: they are more bent then, or they would have to straighten
+// faster than their length can grow.
+void PushByTheKnee(JumpHinge* hinge) {
+  const std::string_view name = hinge->name;
+  if (name != "hip_flexion" && name != "knee") return;
+  const bool is_knee = name == "knee";
+  hinge->angles[kTakeOff] = is_knee ? 70.0 : 45.0;
+  hinge->angles[kStretched] = is_knee ? 25.0 : 15.0;
+}
+
+// Adds what a hinge of the figure does of one of the human: one that has several does their sum.
+void AddShare(const HingeShare& share, JumpHinge hinge, const Figure& figure,
+              std::vector<NamedJumpHinge>* all) {
+  for (double& angle : hinge.angles) angle *= share.share;
+  const auto known = std::find_if(
+      all->begin(), all->end(), [&](const NamedJumpHinge& of) { return of.joint == share.hinge; });
+  if (known == all->end()) {
+    all->push_back({figure.joint(share.hinge).name, share.hinge, hinge});
+    return;
+  }
+  for (size_t i = 0; i < hinge.angles.size(); ++i) known->hinge.angles[i] += hinge.angles[i];
+}
 
 void KeyPlace(const JumpPlan& plan, ProjectRoot* root) {
   for (int i = 0; i < 3; ++i) {
@@ -46,19 +79,44 @@ Result<Done> Pin(int first, int last, ProjectPlacement pin, Project* project) {
 
 }  // namespace
 
-std::vector<std::pair<std::string, const JumpHinge*>> HingesOfJump() {
-  std::vector<std::pair<std::string, const JumpHinge*>> all;
-  for (const JumpHinge& hinge : kJumpHinges) {
-    if (!hinge.has_sides) all.emplace_back(hinge.name, &hinge);
+JumpBody::JumpBody(const Figure& figure) {
+  const FigureBody body(figure);
+  for (size_t i = 0; i < feet.size(); ++i) {
+    const std::string side = i == 0 ? "r_" : "l_";
+    hips[i] = body.HingeFor(side + "hip_flexion");
+    ankles[i] = body.HingeFor(side + "ankle_flexion");
+    toes[i] = body.HingeFor(side + "toe");
+    feet[i] = StandingJoint(body, i == 0 ? BodySide::kRight : BodySide::kLeft, figure);
+  }
+  for (JumpHinge hinge : kJumpHinges) {
+    if (!toes[0] && std::string_view(hinge.name) == "ankle_flexion") KeepFlat(&hinge);
+    if (!toes[0] && !ankles[0]) PushByTheKnee(&hinge);
     for (const char* side : {"r_", "l_"}) {
-      if (hinge.has_sides) all.emplace_back(side + std::string(hinge.name), &hinge);
+      if (!hinge.has_sides && *side == 'l') continue;
+      for (const HingeShare& share :
+           body.HingesFor((hinge.has_sides ? side : "") + std::string(hinge.name))) {
+        AddShare(share, hinge, figure, &hinges);
+      }
     }
   }
-  return all;
 }
 
-Stage::Stage(const Animation& animation)
-    : animation_(animation), figure_(*animation.figure), ws_(figure_) {}
+const NamedJumpHinge* JumpBody::Find(JointIndex joint) const {
+  const auto found = std::find_if(hinges.begin(), hinges.end(),
+                                  [&](const NamedJumpHinge& of) { return of.joint == joint; });
+  return found == hinges.end() ? nullptr : &*found;
+}
+
+std::optional<Error> JumpBody::Check(const Figure& figure) const {
+  return CheckBody({"r_hip_flexion", "r_knee", "l_hip_flexion", "l_knee"}, "jump", figure);
+}
+
+Stage::Stage(const Animation& animation, const JumpBody& body)
+    : animation_(animation), figure_(*animation.figure), body_(body), ws_(figure_) {
+  for (size_t i = 0; i < feet_.size(); ++i) {
+    feet_[i] = figure_.group(*figure_.FindGroup(body.feet[i])).first;
+  }
+}
 
 Result<Vec3> Stage::RootOn(const Stance& stance, const Vec3& spot) {
   constexpr double kAbove = 3.0, kFar = 1000.0;  // [m]
@@ -97,9 +155,7 @@ void Stage::Place(const Stance& stance, const Vec3& root) {
 
 Vec3 Stage::Toes() const {
   Vec3 middle = Vec3::Zero();
-  for (const char* toe : kToes) {
-    middle += 0.5 * ws_.body(figure_.group(*figure_.FindGroup(toe)).first).p;
-  }
+  for (const JointIndex foot : feet_) middle += 0.5 * ws_.body(foot).p;
   return middle;
 }
 
@@ -153,25 +209,24 @@ Result<Done> SetTimes(const Animation& animation, double height, const JumpLengt
   return Done();
 }
 
-bool HasPose(int frame, const Project& project) {
-  const auto hinges = HingesOfJump();
-  return std::all_of(hinges.begin(), hinges.end(), [&](const auto& of) {
-    const ProjectCurve* curve = FindCurve(of.first, project);
-    return !of.second->bears || (curve && KeyOn(frame, *curve));
+bool HasPose(int frame, const JumpBody& body, const Project& project) {
+  return std::all_of(body.hinges.begin(), body.hinges.end(), [&](const NamedJumpHinge& of) {
+    const ProjectCurve* curve = FindCurve(of.name, project);
+    return !of.hinge.bears || (curve && KeyOn(frame, *curve));
   });
 }
 
-bool HasContacts(const JumpFrames& frames, const Project& project) {
+bool HasContacts(const JumpFrames& frames, const JumpBody& body, const Project& project) {
   const auto says = [&](const std::string& name, JumpPhase phase) {
     const ProjectCurve* curve = FindCurve(name, project);
     const ProjectKey* key = curve ? KeyOn(frames[phase], *curve) : nullptr;
     return key && key->rate;
   };
-  const auto bearing = HingesOfJump();
   const auto says_all = [&](JumpPhase phase) {
     return says(kRootCurveNames[kRootAngleY], phase) &&
-           std::all_of(bearing.begin(), bearing.end(),
-                       [&](const auto& of) { return !of.second->bears || says(of.first, phase); });
+           std::all_of(body.hinges.begin(), body.hinges.end(), [&](const NamedJumpHinge& of) {
+             return !of.hinge.bears || says(of.name, phase);
+           });
   };
   return says_all(kTakeOff) && says_all(kLanding);
 }

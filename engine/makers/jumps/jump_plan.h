@@ -7,6 +7,8 @@
 #include <array>
 #include <functional>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "engine/base/result.h"
 #include "engine/dynamics/kinematics.h"
@@ -17,7 +19,6 @@
 
 namespace hazumi::makers {
 
-inline constexpr const char* kToes[] = {"r_toe", "l_toe"};
 inline constexpr double kStretchSeconds = 0.07;  // of going on to stretch after take-off
 
 // A pose by hinge and the root's orientation.
@@ -31,13 +32,32 @@ inline Stance Going(const Stance& stance, double seconds, const Stance& rates) {
   return {stance.q + seconds * rates.q, stance.angles + seconds * rates.angles};
 }
 
-// Every hinge that a jump keys, by its name in the figure.
-std::vector<std::pair<std::string, const JumpHinge*>> HingesOfJump();
+// A hinge of the figure that a jump keys.
+struct NamedJumpHinge {
+  std::string name;
+  JointIndex joint;
+  JumpHinge hinge;  // its share of the human's
+};
 
-// Stances of a figure, put onto the scene. The animation must outlive it.
+// What of a figure jumps; hinges by side, right and left. A foot that stands on its ankle, without
+// a toe, stays flat until take-off.
+struct JumpBody {
+  explicit JumpBody(const Figure& figure);
+
+  std::vector<NamedJumpHinge> hinges;
+  std::array<std::optional<JointIndex>, 2> hips, ankles, toes;
+  std::array<std::string, 2> feet;  // joints that stand on the ground: toes, feet or shins
+
+  const NamedJumpHinge* Find(JointIndex joint) const;
+  // Errors: kSchema if it has not what a jump needs.
+  std::optional<Error> Check(const Figure& figure) const;
+};
+
+// Stances of a figure, put onto the scene. The animation and the body must outlive it.
 class Stage {
  public:
-  explicit Stage(const Animation& animation);
+  Stage(const Animation& animation, const JumpBody& body);
+  const JumpBody& body() const { return body_; }
 
   // Returns the place of the root where the middle of the toes is above `spot` and the figure, come
   // down from above, touches the scene [m]. Errors: kSchema if there is nothing to stand on.
@@ -54,6 +74,8 @@ class Stage {
 
   const Animation& animation_;
   const Figure& figure_;
+  std::array<JointIndex, 2> feet_;
+  const JumpBody& body_;
   DynamicsWorkspace ws_;
 };
 
@@ -92,9 +114,9 @@ Result<Done> SetTimes(const Animation& animation, double height, const JumpLengt
                       Stage* stage, JumpPlan* plan);
 
 // Whether every hinge that bears a jump has a key on this frame.
-bool HasPose(int frame, const Project& project);
+bool HasPose(int frame, const JumpBody& body, const Project& project);
 // Whether the keys on these frames say how fast it takes off and lands.
-bool HasContacts(const JumpFrames& frames, const Project& project);
+bool HasContacts(const JumpFrames& frames, const JumpBody& body, const Project& project);
 
 // The pins on which a jump stands before and after its flight; their frames are the plan's.
 struct JumpPins {
@@ -112,7 +134,8 @@ Result<Done> PlanContacts(const Animation& animation, const JumpSpots& spots, do
 
 // Keys the planned rates and leans at take-off and landing where keys there have rates. Other
 // curves stay as they are.
-void KeyContacts(const JumpPlan& plan, const Figure& figure, Project* project);
+void KeyContacts(const JumpPlan& plan, const JumpBody& body, const Figure& figure,
+                 Project* project);
 
 // Jumps so high [m] in a project, which it changes.
 using JumpSoHigh = std::function<Result<JumpReport>(double height, Project* project)>;

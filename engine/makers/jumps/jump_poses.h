@@ -1,7 +1,8 @@
 #pragma once
 
 // Poses of a jump that its keys propose. Names are those of the human that comes with
-// Hazumi; left and right do the same.
+// Hazumi, for the hinges that do the same in other figures (FigureBody); left and right do the
+// same.
 
 #include <array>
 

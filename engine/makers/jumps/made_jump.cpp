@@ -19,25 +19,18 @@ namespace {
 
 constexpr double kCrouchSeconds = 0.4, kRiseSeconds = 0.6;
 
-std::optional<Error> CheckFigure(const Figure& figure) {
-  std::vector<std::string> names;
-  for (const auto& [name, hinge] : HingesOfJump()) names.push_back(name);
-  return CheckHinges(names, "jump", figure);
-}
-
-Stance StanceOf(JumpPhase phase, const Stance& start, const Figure& figure) {
+Stance StanceOf(JumpPhase phase, const Stance& start, const JumpBody& body) {
   Stance stance = start;
-  for (const auto& [name, hinge] : HingesOfJump()) {
-    stance.q[figure.FindJoint(name)->value()] = hinge->angles[phase] * kDegree;
+  for (const NamedJumpHinge& of : body.hinges) {
+    stance.q[of.joint.value()] = of.hinge.angles[phase] * kDegree;
   }
   stance.angles[1] = kJumpLean[phase];
   return stance;
 }
 
 Result<JumpPlan> PlanJump(const Animation& animation, const MotionFrame& now, const Vec3& target,
-                          double height, const ProjectRoot& root) {
-  const Figure& figure = *animation.figure;
-  Stage stage(animation);
+                          double height, const JumpBody& body, const ProjectRoot& root) {
+  Stage stage(animation, body);
   JumpPlan plan;
   plan.start = now.frame;
   const auto values = RootValues(now.X_WR, root, now.frame);
@@ -45,7 +38,7 @@ Result<JumpPlan> PlanJump(const Animation& animation, const MotionFrame& now, co
   plan.after = plan.before;
   plan.root_before = now.X_WR.p;
   for (int phase = 0; phase < kNumJumpPhases; ++phase) {
-    plan.stances[phase] = StanceOf(static_cast<JumpPhase>(phase), plan.before, figure);
+    plan.stances[phase] = StanceOf(static_cast<JumpPhase>(phase), plan.before, body);
   }
   const JumpSpots spots = {stage.ToesOf(plan.before, now.X_WR.p), target};
   const JumpLengths lengths = {FramesOf(kCrouchSeconds, 2, animation),
@@ -92,17 +85,18 @@ std::optional<Error> CheckFree(const JumpPlan& plan, const Project& project) {
   return CheckFreeOfRegions(plan.start, plan.end, "jump before or after it", project);
 }
 
-Result<Done> KeyJump(const JumpPlan& plan, const Figure& figure, Project* project) {
+Result<Done> KeyJump(const JumpPlan& plan, const JumpBody& body, const Figure& figure,
+                     Project* project) {
   if (const auto error = CheckFree(plan, *project)) return *error;
-  for (const auto& [name, hinge] : HingesOfJump()) {
-    const Result<ProjectCurve*> curve = CurveNamed(name, figure, project);
+  for (const NamedJumpHinge& of : body.hinges) {
+    const Result<ProjectCurve*> curve = CurveNamed(of.name, figure, project);
     if (!curve.ok()) return curve.error();
-    KeyHinge(plan, figure.FindJoint(name)->value(), hinge->bears, curve.value());
+    KeyHinge(plan, of.joint.value(), of.hinge.bears, curve.value());
   }
   for (int i = 0; i < 3; ++i) KeyRootAngle(plan, i, &project->root.curves[kRootAngleZ + i]);
   JumpPins pins;
   pins.before.kind = pins.after.kind = PlacementKind::kPinned;
-  pins.before.pin = pins.after.pin = kToes[0];
+  pins.before.pin = pins.after.pin = body.feet[0];
   return PutJump(plan, std::move(pins), project);
 }
 
@@ -130,13 +124,14 @@ Result<MadeJump> JumpAsLow(std::optional<double> height, const JumpSoHigh& jump,
 Result<MadeJump> MakeJump(const JumpTarget& target, const MotionFrame& now,
                           const Animation& animation, const Project& project) {
   const Figure& figure = *animation.figure;
-  if (const auto error = CheckFigure(figure)) return *error;
+  const JumpBody body(figure);
+  if (const auto error = body.Check(figure)) return *error;
   const Vec3 ahead = now.X_WR.p + now.X_WR.R * Vec3(0.8, 0.0, 0.0);
   const Vec3 spot(target.x.value_or(ahead.x()), target.y.value_or(ahead.y()), 0.0);
   const auto jump = [&](double height, Project* tried) -> Result<JumpReport> {
-    const Result<JumpPlan> plan = PlanJump(animation, now, spot, height, project.root);
+    const Result<JumpPlan> plan = PlanJump(animation, now, spot, height, body, project.root);
     if (!plan.ok()) return plan.error();
-    const Result<Done> keyed = KeyJump(plan.value(), figure, tried);
+    const Result<Done> keyed = KeyJump(plan.value(), body, figure, tried);
     if (!keyed.ok()) return keyed.error();
     return ReportOf(plan.value(), height);
   };

@@ -22,10 +22,10 @@ namespace {
 // The trunk is turned to the spot as far as its hinges go.
 double AngleIn(ThrowPhase phase, const NamedThrowHinge& of, const ThrowPlan& plan,
                const Figure& figure) {
-  double angle = of.hinge->angles[phase];
-  if (of.hinge->is_mirrored && plan.side == "l_") angle = -angle;
-  angle += of.hinge->turns * plan.bearing / kDegree;
-  const Joint& joint = figure.joint(*figure.FindJoint(of.name));
+  double angle = of.hinge.angles[phase];
+  if (of.hinge.is_mirrored && plan.side == BodySide::kLeft) angle = -angle;
+  angle += of.hinge.turns * plan.bearing / kDegree;
+  const Joint& joint = figure.joint(of.joint);
   return std::clamp(angle, joint.lower / kDegree, joint.upper / kDegree);
 }
 
@@ -59,7 +59,7 @@ void TurnTo(const Vec3& spot, MotionFrame* now, Project* project) {
 // Keys a hinge of the shoulder that begins to swing at the angle `back` [degrees].
 void KeyStart(int frame, const ThrowHinge& hinge, double back, const ThrowSwing& swing,
               double forward, ProjectCurve* curve) {
-  const bool swings = std::string_view(hinge.name) == "shoulder_flexion";
+  const bool swings = hinge.swings();
   KeyMove(frame, back + (swings ? SwungBy(swing, forward) / kDegree : 0.0),
           swings ? swing.speed / kDegree : 0.0, curve);
 }
@@ -88,10 +88,10 @@ void KeyHinge(const ThrowPlan& plan, const NamedThrowHinge& of, double standing,
   RemoveKeysIn(plan.start, plan.end, curve);
   KeyMove(plan.start, standing, 0.0, curve);
   KeyMove(plan.back, angle(kBackswing), 0.0, curve);
-  if (of.hinge->limb == ThrowLimb::kShoulder) {
-    KeyStart(plan.region_first, *of.hinge, angle(kBackswing), plan.swing, plan.forward, curve);
-  } else if (of.hinge->limb == ThrowLimb::kLegs) {
-    KeyLeg(plan, of.hinge->angles, standing, curve);
+  if (of.hinge.limb == ThrowLimb::kShoulder) {
+    KeyStart(plan.region_first, of.hinge, angle(kBackswing), plan.swing, plan.forward, curve);
+  } else if (of.hinge.limb == ThrowLimb::kLegs) {
+    KeyLeg(plan, of.hinge.angles, standing, curve);
   } else {
     KeyMove((plan.region_first + plan.region_last) / 2, angle(kSwing), {}, curve);
     KeyMove(plan.region_last, angle(kFollowThrough), {}, curve);
@@ -99,12 +99,12 @@ void KeyHinge(const ThrowPlan& plan, const NamedThrowHinge& of, double standing,
   KeyMove(plan.end, standing, 0.0, curve);
 }
 
-ProjectRegion RegionOf(const ThrowPlan& plan, const Project& project) {
+ProjectRegion RegionOf(const ThrowPlan& plan, const Figure& figure, const Project& project) {
   ProjectRegion region;
   region.name = FreeName("throw", project.regions);
   region.first_frame = plan.region_first;
   region.last_frame = plan.region_last;
-  region.joints = {{plan.side + "shoulder", false, {}}};
+  region.joints = {{figure.group(plan.shoulder).name, false, {}}};
   region.limit_tangents = true;
   return region;
 }
@@ -116,18 +116,18 @@ Result<Done> KeyThrow(const ThrowPlan& plan, const MotionFrame& now, const Figur
     return *error;
   }
   project->frames.last = std::max(project->frames.last, plan.end);
-  for (const NamedThrowHinge& of : HingesOfThrow(plan.side)) {
-    if (of.hinge->limb == ThrowLimb::kLegs && !plan.moves_legs) continue;
+  for (const NamedThrowHinge& of : HingesOfThrow(plan.side, figure)) {
+    if (of.hinge.limb == ThrowLimb::kLegs && !plan.moves_legs) continue;
     const Result<ProjectCurve*> curve = CurveNamed(of.name, figure, project);
     if (!curve.ok()) return curve.error();
-    const double standing = ShortestDegrees(now.q[figure.FindJoint(of.name)->value()]);
+    const double standing = ShortestDegrees(now.q[of.joint.value()]);
     KeyHinge(plan, of, standing, figure, curve.value());
   }
-  project->regions.push_back(RegionOf(plan, *project));
+  project->regions.push_back(RegionOf(plan, figure, *project));
   if (!plan.moves_legs) return Done();
   ProjectPlacement pin;
   pin.kind = PlacementKind::kPinned;
-  pin.pin = plan.side + "toe";
+  pin.pin = plan.pin;
   pin.first_frame = plan.start;
   pin.last_frame = plan.end;
   return PutPlacement(pin, true, &project->placements);
@@ -139,13 +139,14 @@ struct Backswing {
   int start = 0, back = 0;
 };
 
-std::optional<Backswing> BackswingOf(const ThrowCase& of, const std::string& side,
+std::optional<Backswing> BackswingOf(const ThrowCase& of,
+                                     const std::vector<NamedThrowHinge>& hinges,
                                      const Project& project) {
   const int first = project.regions[static_cast<size_t>(of.region)].first_frame;
   std::optional<Backswing> found;
-  for (const ThrowHinge& hinge : kThrowHinges) {
-    if (hinge.limb != ThrowLimb::kShoulder) continue;
-    const ProjectCurve* curve = FindCurve(side + hinge.name, project);
+  for (const NamedThrowHinge& hinge : hinges) {
+    if (hinge.hinge.limb != ThrowLimb::kShoulder) continue;
+    const ProjectCurve* curve = FindCurve(hinge.name, project);
     const ProjectKey* start = curve ? KeyOn(first, *curve) : nullptr;
     const auto n = start ? start - curve->keys.data() : 0;
     if (n < 2 || !start->rate || start->rate_in) return std::nullopt;
@@ -159,17 +160,18 @@ std::optional<Backswing> BackswingOf(const ThrowCase& of, const std::string& sid
 }
 
 // The trunk turns so much farther to the left [rad].
-void TurnTrunk(double by, int first, int last, const Figure& figure, Project* project) {
-  for (const ThrowHinge& hinge : kThrowHinges) {
-    const auto joint = figure.FindJoint(hinge.name);
-    if (hinge.turns == 0.0 || !joint) continue;
-    const Result<ProjectCurve*> curve = CurveNamed(hinge.name, figure, project);
+void TurnTrunk(double by, int first, int last, const std::vector<NamedThrowHinge>& hinges,
+               const Figure& figure, Project* project) {
+  for (const NamedThrowHinge& of : hinges) {
+    const ThrowHinge& hinge = of.hinge;
+    if (hinge.turns == 0.0) continue;
+    const Result<ProjectCurve*> curve = CurveNamed(of.name, figure, project);
     if (!curve.ok()) continue;
     for (ProjectKey& key : curve.value()->keys) {
       if (key.frame <= first || key.frame > last) continue;
       key.value = WithoutRoundOff(std::clamp(key.value + hinge.turns * by / kDegree,
-                                             figure.joint(*joint).lower / kDegree,
-                                             figure.joint(*joint).upper / kDegree));
+                                             figure.joint(of.joint).lower / kDegree,
+                                             figure.joint(of.joint).upper / kDegree));
     }
   }
 }
@@ -181,26 +183,29 @@ void SwingAnew(const ThrowTarget& target, const Animation& animation, const Moti
   ProjectHeldObject* object = &project->held_objects[static_cast<size_t>(of->object)];
   const std::string& joint =
       of->holder < 0 ? object->joint : object->holders[static_cast<size_t>(of->holder)].joint;
-  const std::string side = joint.substr(0, 2);
-  const auto backswing = BackswingOf(*of, side, *project);
+  const Figure& figure = *animation.figure;
+  const std::optional<BodySide> side = SideOfHand(joint, figure);
+  if (!side) return;
+  const GroupIndex arm = *FigureBody(figure).Find(BodyRole::kUpperArm, *side);
+  const std::vector<NamedThrowHinge> hinges = HingesOfThrow(*side, figure);
+  const auto backswing = BackswingOf(*of, hinges, *project);
   if (!backswing) return;
   const ProjectRegion& region = project->regions[static_cast<size_t>(of->region)];
-  const Figure& figure = *animation.figure;
   const MotionFrame& standing =
       motion.frames[static_cast<size_t>(backswing->start - animation.first_frame)];
-  const Vec3 shoulder = ShoulderIn(standing, side, figure);
+  const Vec3 shoulder = ShoulderIn(standing, arm, figure);
   const Vec3& in_hand = standing.objects[static_cast<size_t>(of->object)].X_WO.p;
   const ThrowSwing swing =
       SwingFor(target, shoulder, (in_hand - shoulder).norm(), animation.gravity);
   const double forward = animation.rate.SecondsAt(region.first_frame - backswing->back);
   double arm_back = 0.0;
-  for (const ThrowHinge& hinge : kThrowHinges) {
-    if (hinge.limb != ThrowLimb::kShoulder) continue;
-    const Result<ProjectCurve*> curve = CurveNamed(side + hinge.name, figure, project);
+  for (const NamedThrowHinge& hinge : hinges) {
+    if (hinge.hinge.limb != ThrowLimb::kShoulder) continue;
+    const Result<ProjectCurve*> curve = CurveNamed(hinge.name, figure, project);
     if (!curve.ok()) return;
     const double back = KeyOn(backswing->back, *curve.value())->value;
-    if (std::string_view(hinge.name) == "shoulder_flexion") arm_back = back * kDegree;
-    KeyStart(region.first_frame, hinge, back, swing, forward, curve.value());
+    if (hinge.hinge.swings()) arm_back = back * kDegree;
+    KeyStart(region.first_frame, hinge.hinge, back, swing, forward, curve.value());
   }
   const auto lay = [&](int axis) { return object->position.curves[axis].keys.back().value; };
   if (!object->position.curves[0].keys.empty()) {
@@ -208,8 +213,8 @@ void SwingAnew(const ThrowTarget& target, const Animation& animation, const Moti
     const auto bearing = [&](const Vec3& spot) {
       return std::clamp(BearingOf(spot, shoulder, standing.X_WR), -kWidestThrow, kWidestThrow);
     };
-    TurnTrunk(bearing(target.spot) - bearing(before), backswing->start, region.last_frame, figure,
-              project);
+    TurnTrunk(bearing(target.spot) - bearing(before), backswing->start, region.last_frame, hinges,
+              figure, project);
   }
   of->has_backswing = true;
   of->release = LikelyRelease(swing, arm_back, forward, region, animation);

@@ -21,8 +21,25 @@ constexpr double kBackSeconds = 0.5, kForwardSeconds = 0.15, kFreeSeconds = 0.42
                  kHomeSeconds = 0.8;
 constexpr double kLeastSwing = 60.0 * kDegree, kMostSwing = 900.0 * kDegree;  // [rad/s]
 
+// The hand of an arm; a forearm without one ends in it.
+std::optional<GroupIndex> HandOf(const FigureBody& body, BodySide side) {
+  const std::optional<GroupIndex> hand = body.Find(BodyRole::kHand, side);
+  return hand ? hand : body.Find(BodyRole::kForearm, side);
+}
+
+// " (r_wrist or l_wrist)", as the figure's hands are called.
+std::string HandsOf(const Figure& figure) {
+  const FigureBody body(figure);
+  std::string hands;
+  for (const BodySide side : {BodySide::kRight, BodySide::kLeft}) {
+    const std::optional<GroupIndex> hand = HandOf(body, side);
+    if (hand) hands += (hands.empty() ? " (" : " or ") + figure.group(*hand).name;
+  }
+  return hands.empty() ? hands : hands + ")";
+}
+
 Result<HolderSpan> ThrowerOf(const ProjectHeldObject& object, int frame,
-                             const ProjectFrames& frames) {
+                             const ProjectFrames& frames, const Figure& figure) {
   const std::vector<HolderSpan> spans = HoldersOf(object, frames);
   const HolderSpan* holder = HolderAt(frame, spans);
   if (!holder) {
@@ -31,11 +48,10 @@ Result<HolderSpan> ThrowerOf(const ProjectHeldObject& object, int frame,
                        ": select a wrist and pass it on, or go to a frame in which a hand "
                        "has it");
   }
-  const std::string& joint = holder->joint;
-  if (joint == "r_wrist" || joint == "l_wrist") return *holder;
-  return Refusal("object", "\"" + joint + "\" has \"" + object.name +
-                               "\" in this frame: a throw is made of what a hand has "
-                               "(r_wrist or l_wrist)");
+  if (SideOfHand(holder->joint, figure)) return *holder;
+  return Refusal("object", "\"" + holder->joint + "\" has \"" + object.name +
+                               "\" in this frame: a throw is made of what a hand has" +
+                               HandsOf(figure));
 }
 
 bool MovesLegs(const ThrowPlan& plan, const Project& project) {
@@ -52,6 +68,21 @@ bool MovesLegs(const ThrowPlan& plan, const Project& project) {
   });
 }
 
+// Adds what a hinge of the figure does of one of the human: one that has several does their sum.
+void AddShare(const HingeShare& share, ThrowHinge hinge, const Figure& figure,
+              std::vector<NamedThrowHinge>* all) {
+  for (double& angle : hinge.angles) angle *= share.share;
+  hinge.turns *= share.share;
+  const auto known = std::find_if(
+      all->begin(), all->end(), [&](const NamedThrowHinge& of) { return of.joint == share.hinge; });
+  if (known == all->end()) {
+    all->push_back({figure.joint(share.hinge).name, share.hinge, hinge});
+    return;
+  }
+  for (size_t i = 0; i < hinge.angles.size(); ++i) known->hinge.angles[i] += hinge.angles[i];
+  known->hinge.turns += hinge.turns;
+}
+
 void SetTimes(const Animation& animation, ThrowPlan* plan) {
   plan->back = plan->start + FramesOf(kBackSeconds, 3, animation);
   plan->region_first = plan->back + FramesOf(kForwardSeconds, 2, animation);
@@ -62,19 +93,38 @@ void SetTimes(const Animation& animation, ThrowPlan* plan) {
 
 }  // namespace
 
-std::vector<NamedThrowHinge> HingesOfThrow(const std::string& side) {
-  const std::string other = side == "r_" ? "l_" : "r_";
+std::vector<NamedThrowHinge> HingesOfThrow(BodySide side, const Figure& figure) {
+  const std::string own = side == BodySide::kRight ? "r_" : "l_";
+  const std::string other = side == BodySide::kRight ? "l_" : "r_";
+  const FigureBody body(figure);
   std::vector<NamedThrowHinge> all;
   for (const ThrowHinge& hinge : kThrowHinges) {
-    const std::string name = hinge.name;
-    if (hinge.limb == ThrowLimb::kTrunk) all.push_back({name, &hinge});
-    const bool throws = hinge.limb == ThrowLimb::kShoulder || hinge.limb == ThrowLimb::kThrowingArm;
-    if (throws) all.push_back({side + name, &hinge});
-    if (hinge.limb == ThrowLimb::kOtherArm) all.push_back({other + name, &hinge});
-    if (hinge.limb != ThrowLimb::kLegs) continue;
-    for (const std::string& leg : {side, other}) all.push_back({leg + name, &hinge});
+    std::vector<std::string> sides = {own};
+    if (hinge.limb == ThrowLimb::kTrunk) sides = {""};
+    if (hinge.limb == ThrowLimb::kOtherArm) sides = {other};
+    if (hinge.limb == ThrowLimb::kLegs) sides = {own, other};
+    for (const std::string& of : sides) {
+      for (const HingeShare& share : body.HingesFor(of + hinge.name)) {
+        AddShare(share, hinge, figure, &all);
+      }
+    }
   }
   return all;
+}
+
+std::optional<BodySide> SideOfHand(const std::string& holder, const Figure& figure) {
+  const std::optional<GroupIndex> joint = figure.FindGroup(holder);
+  const FigureBody body(figure);
+  for (const BodySide side : {BodySide::kRight, BodySide::kLeft}) {
+    const std::optional<GroupIndex> end = HandOf(body, side);
+    const bool is_of_hand =
+        joint && end && figure.IsBeyond(figure.group(*joint).first, figure.group(*end).first);
+    if (is_of_hand &&
+        body.HingeFor((side == BodySide::kRight ? "r_" : "l_") + std::string("shoulder_flexion"))) {
+      return side;
+    }
+  }
+  return std::nullopt;
 }
 
 double BearingOf(const Vec3& spot, const Vec3& from, const Pose& X_WR) {
@@ -83,10 +133,10 @@ double BearingOf(const Vec3& spot, const Vec3& from, const Pose& X_WR) {
                         2.0 * EIGEN_PI);
 }
 
-Vec3 ShoulderIn(const MotionFrame& frame, const std::string& side, const Figure& figure) {
+Vec3 ShoulderIn(const MotionFrame& frame, GroupIndex shoulder, const Figure& figure) {
   DynamicsWorkspace ws(figure);
   ComputePositions(figure, frame.X_WR, frame.q, &ws);
-  return ws.body(*figure.FindJoint(side + "shoulder_flexion")).p;
+  return ws.body(figure.group(shoulder).first).p;
 }
 
 ThrowSwing SwingFor(const ThrowTarget& target, const Vec3& shoulder, double arm, double gravity) {
@@ -112,18 +162,19 @@ int LikelyRelease(const ThrowSwing& swing, double back, double forward, const Pr
 Result<ThrowPlan> PlanThrow(const Animation& animation, const MotionFrame& now,
                             const ThrowTarget& target, const Project& project) {
   const Vec3& spot = target.spot;
+  const Figure& figure = *animation.figure;
+  if (const auto error = CheckBody({"r_shoulder_flexion"}, "throw", figure)) return *error;
   ThrowPlan plan;
   plan.start = now.frame;
   const Result<HolderSpan> holder =
-      ThrowerOf(project.held_objects[target.object], now.frame, project.frames);
+      ThrowerOf(project.held_objects[target.object], now.frame, project.frames, figure);
   if (!holder.ok()) return holder.error();
   plan.holder = holder.value();
-  plan.side = plan.holder.joint.substr(0, 2);
-  const Figure& figure = *animation.figure;
-  std::vector<std::string> names;
-  for (const NamedThrowHinge& of : HingesOfThrow(plan.side)) names.push_back(of.name);
-  if (const auto error = CheckHinges(names, "throw", figure)) return *error;
-  const Vec3 shoulder = ShoulderIn(now, plan.side, figure);
+  plan.side = *SideOfHand(plan.holder.joint, figure);
+  const FigureBody body(figure);
+  plan.shoulder = *body.Find(BodyRole::kUpperArm, plan.side);
+  plan.pin = StandingJoint(body, plan.side, figure);
+  const Vec3 shoulder = ShoulderIn(now, plan.shoulder, figure);
   plan.bearing = BearingOf(spot, shoulder, now.X_WR);
   if (std::abs(plan.bearing) > kWidestThrow) {
     return Refusal("x",
@@ -134,7 +185,7 @@ Result<ThrowPlan> PlanThrow(const Animation& animation, const MotionFrame& now,
   if (!(animation.gravity > 0.0)) return Refusal("object", "without gravity nothing comes down");
   plan.swing = SwingFor(target, shoulder, arm, animation.gravity);
   SetTimes(animation, &plan);
-  plan.moves_legs = MovesLegs(plan, project);
+  plan.moves_legs = !plan.pin.empty() && MovesLegs(plan, project);
   return plan;
 }
 

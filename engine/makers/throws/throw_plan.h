@@ -3,10 +3,12 @@
 // Internal: the frames of a throw that is made, how fast and how steeply its arm swings, and the
 // hinges that it moves. The equations are in throw_plan.cpp.
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/bake/motion.h"
+#include "engine/body/figure_body.h"
 #include "engine/makers/throws/throw_case.h"
 #include "engine/makers/throws/throw_poses.h"
 #include "engine/project/edits/holders.h"
@@ -22,7 +24,9 @@ struct ThrowSwing {
 // Which frame is what, and from where to where.
 struct ThrowPlan {
   HolderSpan holder;
-  std::string side;  // "r_" or "l_"
+  BodySide side = BodySide::kRight;  // of the hand
+  GroupIndex shoulder;               // its joint, which the region moves
+  std::string pin;                   // the joint that stands on the ground, on that side
   int start = 0, back = 0, region_first = 0, region_last = 0, end = 0;
   double bearing = 0.0;  // of the spot, to the left of where the figure faces [rad]
   ThrowSwing swing;
@@ -31,16 +35,20 @@ struct ThrowPlan {
 };
 
 struct NamedThrowHinge {
-  std::string name;
-  const ThrowHinge* hinge;
+  std::string name;  // in the figure
+  JointIndex joint;
+  ThrowHinge hinge;  // its share of the human's
 };
 
-// Every hinge that a throw keys, by its name in the figure.
-std::vector<NamedThrowHinge> HingesOfThrow(const std::string& side);
+// Every hinge of a figure that a throw by its right or left hand keys.
+std::vector<NamedThrowHinge> HingesOfThrow(BodySide side, const Figure& figure);
 
 // Returns the angle to a spot from where the figure faces, counter-clockwise from above [rad].
 double BearingOf(const Vec3& spot, const Vec3& from, const Pose& X_WR);
-Vec3 ShoulderIn(const MotionFrame& frame, const std::string& side, const Figure& figure);
+// `shoulder`: the joint of an arm.
+Vec3 ShoulderIn(const MotionFrame& frame, GroupIndex shoulder, const Figure& figure);
+// Returns the side of the hand that has an object; none if what has it is no part of an arm.
+std::optional<BodySide> SideOfHand(const std::string& holder, const Figure& figure);
 
 // Returns the swing of an arm of this length [m].
 ThrowSwing SwingFor(const ThrowTarget& target, const Vec3& shoulder, double arm, double gravity);

@@ -1,9 +1,11 @@
 #pragma once
 
 // Poses of a throw that its keys propose. Names are those of the human that comes
-// with Hazumi; angles are those of a right-handed throw, underarm.
+// with Hazumi, for the hinges that do the same in other figures (FigureBody); angles are those of a
+// right-handed throw, underarm.
 
 #include <array>
+#include <string_view>
 
 namespace hazumi::makers {
 
@@ -21,6 +23,8 @@ struct ThrowHinge {
   bool is_mirrored;
   std::array<double, kNumThrowPhases> angles;  // by phase [degrees]
   double turns = 0.0;                          // its share of the way to the spot
+
+  bool swings() const { return std::string_view(name) == "shoulder_flexion"; }
 };
 
 inline constexpr double kShoulderBack = -60.0;  // as far back as the arm swings [degrees]

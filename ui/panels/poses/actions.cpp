@@ -1,8 +1,10 @@
 #include "ui/panels/poses/actions.h"
 
 #include <algorithm>
+#include <set>
 
 #include "engine/base/filled.h"
+#include "engine/body/figure_body.h"
 #include "engine/project/edits/placements.h"
 #include "ui/edit/operators/edits.h"
 #include "ui/edit/operators/keys/at_frame.h"
@@ -14,22 +16,51 @@ namespace {
 
 using edit::Parameters;
 
+constexpr double kHumanStands = 0.9024;  // root of the human that comes with Hazumi [m]
+
 // Without where it stands and where it looks; where a placement says how high it is, that neither.
-edit::Pose RootPart(const SavedRoot& root, edit::Session* session) {
+// `share`: of its height.
+edit::Pose RootPart(const SavedRoot& root, double share, edit::Session* session) {
   edit::Pose pose = {{kRootCurveNames[kRootAngleY], root.angle_y_deg},
                      {kRootCurveNames[kRootAngleX], root.angle_x_deg}};
   const Animation* animation = session->animation();
   if (animation && !edit::IsPlaced(*animation, session->frame())) {
-    pose.push_back({kRootCurveNames[kRootZ], root.height_m});
+    pose.push_back({kRootCurveNames[kRootZ], share * root.height_m});
   }
   return pose;
 }
 
-// What the figure has of a pose; what it has not goes to `unknown`.
+// A pose of the human on a figure with other hinges: by what the hinges do.
+edit::Pose BodyPart(const SavedPose& pose, edit::Session* session) {
+  const Figure& figure = session->figure();
+  const FigureBody body(figure);
+  edit::Pose part;
+  for (const Named<double>& angle : pose.human.empty() ? pose.joints : pose.human) {
+    for (const HingeShare& share : body.HingesFor(angle.name)) {
+      const std::string& name = figure.joint(share.hinge).name;
+      const double angle_here = share.share * angle.value;
+      const auto known = std::find_if(
+          part.begin(), part.end(), [&](const Named<double>& other) { return other.name == name; });
+      if (known == part.end()) {
+        part.push_back({name, angle_here});
+      } else {
+        known->value += angle_here;
+      }
+    }
+  }
+  if (part.empty() || !pose.root) return part;
+  const double share = StandingHeight(figure) / pose.root->standing_height_m.value_or(kHumanStands);
+  const edit::Pose root = RootPart(*pose.root, share, session);
+  part.insert(part.begin(), root.begin(), root.end());
+  return part;
+}
+
+// What the figure has of a pose: by the names of its hinges if it has most of them, else by what
+// they do. What it has not goes to `unknown`.
 edit::Pose KnownPart(const SavedPose& pose, edit::Session* session,
                      std::vector<std::string>* unknown) {
   edit::Pose known;
-  if (pose.root) known = RootPart(*pose.root, session);
+  if (pose.root) known = RootPart(*pose.root, 1.0, session);
   for (const Named<double>& angle : pose.joints) {
     if (session->figure().FindJoint(angle.name)) {
       known.push_back(angle);
@@ -37,7 +68,11 @@ edit::Pose KnownPart(const SavedPose& pose, edit::Session* session,
       unknown->push_back(angle.name);
     }
   }
-  return known;
+  if (2 * unknown->size() <= pose.joints.size()) return known;
+  edit::Pose by_role = BodyPart(pose, session);
+  if (by_role.empty()) return known;
+  unknown->clear();
+  return by_role;
 }
 
 bool IsSelected(const std::string& curve, const edit::Session& session) {
@@ -88,6 +123,34 @@ Result<Done> ApplyPose(Editor* editor, const Parameters& p) {
   return done;
 }
 
+// Adds what the human would have, unless the figure has the human's hinges.
+void AddHuman(const Figure& figure, SavedPose* pose) {
+  VecX q = VecX::Zero(figure.num_joints());
+  std::set<JointIndex> has;
+  for (const Named<double>& angle : pose->joints) {
+    const std::optional<JointIndex> joint = figure.FindJoint(angle.name);
+    if (!joint) continue;
+    q[joint->value()] = angle.value;
+    has.insert(*joint);
+  }
+  const FigureBody body(figure);
+  bool is_human = true;
+  for (const auto& [name, angle] : body.HumanAngles(q)) {
+    const std::vector<HingeShare> shares = body.HingesFor(name);
+    const bool is_known = std::any_of(shares.begin(), shares.end(), [&](const HingeShare& share) {
+      return has.contains(share.hinge);
+    });
+    if (!is_known) continue;
+    is_human = is_human && figure.FindJoint(name).has_value();
+    pose->human.push_back({name, angle});
+  }
+  if (is_human) {
+    pose->human.clear();
+  } else if (pose->root) {
+    pose->root->standing_height_m = StandingHeight(figure);
+  }
+}
+
 Result<Done> SavePose(Editor* editor, const Parameters& p) {
   edit::Session& session = editor->session();
   SavedPose pose;
@@ -102,8 +165,9 @@ Result<Done> SavePose(Editor* editor, const Parameters& p) {
     const Result<const MotionFrame*> now = session.FrameNow();
     if (!now.ok()) return now.error();
     const auto values = RootValues(now.value()->X_WR, session.project().root, session.frame());
-    pose.root = SavedRoot{values[kRootZ], values[kRootAngleY], values[kRootAngleX], {}};
+    pose.root = SavedRoot{values[kRootZ], values[kRootAngleY], values[kRootAngleX], {}, {}};
   }
+  AddHuman(session.figure(), &pose);
   Result<Done> saved = editor->poses.library.Save(std::move(pose), p.yes("replace"));
   if (saved.ok()) editor->Say(Filled(Tr("The pose \"%s\" is kept."), p.text("name").c_str()));
   return saved;
