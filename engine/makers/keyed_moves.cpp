@@ -11,13 +11,13 @@ namespace hazumi::makers {
 std::optional<Error> CheckBody(const std::vector<std::string>& human_hinges,
                                const std::string& whose, const Figure& figure) {
   const FigureBody body(figure);
-  for (const std::string& hinge : human_hinges) {
-    if (!body.HingesFor(hinge).empty()) continue;
-    std::string message = "no hinge of the figure does what \"" + hinge + "\" of the human does, ";
-    message += "which a " + whose + " needs; import it again with the hinges of a body";
-    return Refusal("", std::move(message));
-  }
-  return std::nullopt;
+  const auto missing =
+      std::find_if(human_hinges.begin(), human_hinges.end(),
+                   [&](const std::string& hinge) { return body.HingesFor(hinge).empty(); });
+  if (missing == human_hinges.end()) return std::nullopt;
+  return Refusal("", "no hinge of the figure does what \"" + *missing +
+                         "\" of the human does, which a " + whose +
+                         " needs; import it again with the hinges of a body");
 }
 
 std::string StandingJoint(const FigureBody& body, BodySide side, const Figure& figure) {
