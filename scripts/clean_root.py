@@ -47,16 +47,25 @@ def mirror():
 
 @contextlib.contextmanager
 def clean_root():
-    """A minimal Debian with /proc, which is unmounted in the end. It stays there to be looked at."""
+    """A minimal Debian with the file systems of the kernel, which are unmounted in the end. It stays
+    there to be looked at."""
     if ROOT.exists():
         run("rm", "-rf", "--one-file-system", ROOT)
     ROOT.parent.mkdir(exist_ok=True)
     say("debootstrap")
     release, site = mirror()
     run("debootstrap", "--variant=minbase", release, ROOT, site, stdout=subprocess.DEVNULL)
-    run("mount", "-t", "proc", "proc", ROOT / "proc")
+    mounted = []
     try:
+        for options in (("-t", "proc", "proc", "proc"), ("--rbind", "--make-rslave", "/sys", "sys"),
+                        ("-t", "devpts", "-o", "newinstance,ptmxmode=0666", "devpts", "dev/pts")):
+            place = ROOT / options[-1]
+            place.mkdir(exist_ok=True)
+            run("mount", *options[:-1], place)
+            mounted.append(place)
+        run("ln", "-sf", "pts/ptmx", ROOT / "dev" / "ptmx")
         apt("update")
         yield
     finally:
-        run("umount", ROOT / "proc")
+        for place in reversed(mounted):
+            run("umount", "-R", place)
