@@ -22,7 +22,7 @@ namespace hazumi {
 namespace {
 
 constexpr double kLeastBend = 8.0 * kDegree, kMostTurn = 60.0 * kDegree;
-constexpr double kPoint = 1e-9;            // [m]
+constexpr double kTogether = 1e-9;         // [m]
 constexpr double kAside = 70.0 * kDegree;  // of a foot, from forward
 
 bool IsOfLimb(BodyRole role) {
@@ -84,7 +84,7 @@ class Axes {
       sum = *bone(b).end - bone(b).X_R.p;
       num = 1;
     }
-    if (num == 0 || sum.norm() < kPoint) return std::nullopt;
+    if (num == 0 || sum.norm() < kTogether) return std::nullopt;
     return sum.normalized();
   }
 
@@ -134,7 +134,7 @@ class Axes {
 
   Mat3 FootAxes(size_t b) const {
     std::optional<Vec3> d = DirectionOf(b);
-    if (!d || d->head<2>().norm() < kPoint) return Mat3::Identity();
+    if (!d || d->head<2>().norm() < kTogether) return Mat3::Identity();
     const double aside = std::atan2(d->y(), d->x());
     if (std::abs(aside) > kAside) return Mat3::Identity();
     return Eigen::AngleAxisd(aside, Vec3::UnitZ()).toRotationMatrix();
@@ -160,7 +160,7 @@ std::optional<double> FacingOf(const std::vector<RestBone>& bones) {
   }
   if (num_left == 0 || num_left != num_right) return std::nullopt;
   const Vec3 forward = left.cross(Vec3::UnitZ());
-  if (forward.norm() < kPoint) return std::nullopt;
+  if (forward.norm() < kTogether) return std::nullopt;
   return std::atan2(forward.y(), forward.x());
 }
 

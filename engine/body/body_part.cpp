@@ -158,6 +158,36 @@ std::vector<std::string> WithoutPrefix(std::vector<std::string> names) {
   return names;
 }
 
+BodyPart PartOf(BodyRole role) {
+  switch (role) {
+    case BodyRole::kHips:
+      return BodyPart::kPelvis;
+    case BodyRole::kSpine:
+    case BodyRole::kClavicle:
+      return BodyPart::kTrunk;
+    case BodyRole::kNeck:
+      return BodyPart::kNeck;
+    case BodyRole::kHead:
+      return BodyPart::kHead;
+    case BodyRole::kUpperArm:
+      return BodyPart::kUpperArm;
+    case BodyRole::kForearm:
+      return BodyPart::kForearm;
+    case BodyRole::kHand:
+    case BodyRole::kFinger:
+      return BodyPart::kHand;
+    case BodyRole::kThigh:
+      return BodyPart::kThigh;
+    case BodyRole::kShin:
+      return BodyPart::kShank;
+    case BodyRole::kFoot:
+    case BodyRole::kToe:
+      return BodyPart::kFoot;
+    default:
+      return BodyPart::kOther;
+  }
+}
+
 double RadiusShareOf(const BodyName& body) {
   constexpr double kShares[kNumBodyParts] = {0.055, 0.06,  0.03,  0.055, 0.027, 0.022,
                                              0.012, 0.042, 0.029, 0.014, 0.012};

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/figure/body_role.h"
 #include "engine/figure/side_names.h"
 
 namespace hazumi {
@@ -59,6 +60,9 @@ std::vector<std::string> WordsOfName(const std::string& name);
 // Names without what all of them begin with up to a separator, such as "Armature_" or "Hero|",
 // unless that is a side.
 std::vector<std::string> WithoutPrefix(std::vector<std::string> names);
+
+// Part of a body that has a role.
+BodyPart PartOf(BodyRole role);
 
 // Of a capsule, as a share of the body's height. Ours.
 double RadiusShareOf(const BodyName& body);

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "engine/base/text.h"
+#include "engine/body/shape_roles.h"
 #include "engine/exchange/character/character_check.h"
 #include "engine/exchange/import/figure_parts.h"
 #include "engine/exchange/import/import_check.h"
@@ -84,6 +85,8 @@ class Importer {
                             character_.warnings.end());
     SayBones();
     world_ = WorldFrameOf(character_, skeleton_, clip_, options_, &report_);
+    TellRolesByShape();
+    if (options_.faces_forward) FaceForward(skeleton_, &report_, &world_);
     if (auto error = WhyTooTall(world_)) return *error;
     if (auto error = CheckSize()) return *error;
     plan_ = PlanFigure(character_, skeleton_, clip_, world_, options_, &report_);
@@ -144,6 +147,27 @@ class Importer {
     for (const std::string& name : skeleton_.left_out) names += (names.empty() ? "" : ", ") + name;
     report_.warnings.push_back(
         {RootName(), "bones beside it that carry no skin are left out: " + names});
+  }
+
+  // Of bones whose names say nothing.
+  void TellRolesByShape() {
+    const auto has_place = [](const KeptBone& bone) { return bone.place != BodyPlace(); };
+    if (std::any_of(skeleton_.bones.begin(), skeleton_.bones.end(), has_place)) return;
+    std::vector<RestBone> bones = RestBonesOf(skeleton_, world_);
+    if (!SetRolesByShape(&bones)) return;
+    for (size_t k = 0; k < bones.size(); ++k) TakeRole(bones[k].place, &skeleton_.bones[k]);
+    report_.warnings.push_back(
+        {RootName(), "names of bones say nothing: which is what is told by their shape"});
+  }
+
+  void TakeRole(BodyPlace place, KeptBone* bone) {
+    bone->place = place;
+    bone->body = {PartOf(place.role), place.side};
+    bone->segment = SegmentOf(bone->body.part);
+    if (bone->segment != BodySegment::kNone) return;
+    const bool is_root = bone->parent < 0;
+    bone->segment =
+        is_root ? BodySegment::kTrunk : skeleton_.bones[static_cast<size_t>(bone->parent)].segment;
   }
 
   // A character that nobody could see or move is none.

@@ -151,27 +151,6 @@ void SayUnit(double metres, const std::string& why, double height, ImportReport*
                                           " m tall; if that is wrong, give its height"});
 }
 
-// Turns the figure so that it faces x: exactly, or by right angles if it faces nearly along an
-// axis.
-void Face(const Skeleton& skeleton, ImportReport* report, WorldFrame* world) {
-  constexpr double kRight = 90.0 * kDegree, kNear = 10.0 * kDegree;
-  std::vector<RestBone> bones;
-  for (const KeptBone& kept : skeleton.bones) {
-    bones.push_back(
-        {kept.place, kept.parent, {Mat3::Identity(), world->Way(skeleton.rest[kept.bone].p)}, {}});
-  }
-  const std::optional<double> facing = FacingOf(bones);
-  if (!facing) return;
-  const double steps = std::round(*facing / kRight);
-  const bool is_along_axis = std::abs(*facing - steps * kRight) < kNear;
-  if (is_along_axis && steps == 0.0) return;
-  const double turn = -(is_along_axis ? steps * kRight : *facing);
-  world->F = Eigen::AngleAxisd(turn, Vec3::UnitZ()).toRotationMatrix();
-  if (is_along_axis) world->F = world->F.array().round().matrix().eval();
-  report->facts.push_back("turned by " + FormatShort(std::round(turn / kDegree)) +
-                          " degrees about the vertical, so that it faces forward");
-}
-
 }  // namespace
 
 Mat3 AxesOf(UpAxis up) {
@@ -204,11 +183,35 @@ WorldFrame WorldFrameOf(const Character& character, const Skeleton& skeleton, co
   }
   world.height = tall * world.metres;
   SayUnit(world.metres, why, world.height, report);
-  if (options.faces_forward) Face(skeleton, report, &world);
   report->up = world.up;
   report->metres_per_unit = world.metres;
   report->height_m = world.height;
   return world;
+}
+
+std::vector<RestBone> RestBonesOf(const Skeleton& skeleton, const WorldFrame& world) {
+  std::vector<RestBone> bones;
+  for (const KeptBone& kept : skeleton.bones) {
+    const Vec3 place = world.Placed(skeleton.rest[kept.bone].p);
+    bones.push_back({kept.place, kept.parent, {Mat3::Identity(), place}, {}});
+  }
+  return bones;
+}
+
+// Turns the figure so that it faces x: exactly, or by right angles if it faces nearly along an
+// axis.
+void FaceForward(const Skeleton& skeleton, ImportReport* report, WorldFrame* world) {
+  constexpr double kRight = 90.0 * kDegree, kNear = 10.0 * kDegree;
+  const std::optional<double> facing = FacingOf(RestBonesOf(skeleton, *world));
+  if (!facing) return;
+  const double steps = std::round(*facing / kRight);
+  const bool is_along_axis = std::abs(*facing - steps * kRight) < kNear;
+  if (is_along_axis && steps == 0.0) return;
+  const double turn = -(is_along_axis ? steps * kRight : *facing);
+  world->F = Eigen::AngleAxisd(turn, Vec3::UnitZ()).toRotationMatrix();
+  if (is_along_axis) world->F = world->F.array().round().matrix().eval();
+  report->facts.push_back("turned by " + FormatShort(std::round(turn / kDegree)) +
+                          " degrees about the vertical, so that it faces forward");
 }
 
 }  // namespace hazumi

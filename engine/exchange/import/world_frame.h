@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/body/body_axes.h"
 #include "engine/exchange/import/import_project.h"
 #include "engine/exchange/import/skeleton.h"
 
@@ -35,5 +36,12 @@ Mat3 AxesOf(UpAxis up);
 // decided, and why, is added to `report`.
 WorldFrame WorldFrameOf(const Character& character, const Skeleton& skeleton, const Clip* clip,
                         const ImportOptions& options, ImportReport* report);
+
+// The kept bones where they are at rest, in the world's axes [m].
+std::vector<RestBone> RestBonesOf(const Skeleton& skeleton, const WorldFrame& world);
+
+// Turns the figure so that it faces x: exactly, or by right angles if it faces nearly along an
+// axis.
+void FaceForward(const Skeleton& skeleton, ImportReport* report, WorldFrame* world);
 
 }  // namespace hazumi
