@@ -5,10 +5,10 @@
 //   hand, finger                        the same, d to the middle of its fingers, or to its end
 //   foot                                S_b = Rz(a), a the direction of its toes: it is flat
 //   toe, others                         S_b = S_p
-// Where a forearm or shin is bent by more than 8 degrees at rest, the bend tells how the limb above
-// is turned about itself: its hinge is along d_p x d_b, unless that is over 60 degrees from where
-// it would be otherwise.
-// Facing: with L the sum of the ways from right to left, the forward direction is L x z.
+// A forearm or shin that is bent by more than 8 degrees at rest tells how the limb above it is
+// turned about itself: its hinge is along d_p x d_b, unless that is over 60 degrees from where it
+// would be otherwise. Facing: with L the sum of the ways from right to left, the forward direction
+// is L x z.
 
 #include "engine/body/body_axes.h"
 

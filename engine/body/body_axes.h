@@ -24,8 +24,8 @@ struct RestBone {
 // where it is at rest. The equations are in body_axes.cpp.
 std::vector<Mat3> BodyAxesOf(const std::vector<RestBone>& bones);
 
-// Which way the body faces at rest, from the places of its left and right limbs: an angle about z
-// from x [rad]. None if no limb has two sides.
+// Returns the direction in which the body faces at rest, an angle about z from x [rad], told by the
+// places of its left and right limbs. None if no limb has two sides.
 std::optional<double> FacingOf(const std::vector<RestBone>& bones);
 
 }  // namespace hazumi

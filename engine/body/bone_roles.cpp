@@ -13,7 +13,7 @@ struct RoleWords {
   std::vector<std::string> words;  // that the name has as words
 };
 
-// What no part of a body says. The first row with a word of the name counts.
+// Words that name no part of a body. The first row with a word of the name counts.
 const std::vector<RoleWords>& RoleWordList() {
   static const std::vector<RoleWords> words = {
       {BodyRole::kCloth,
@@ -54,6 +54,7 @@ class Roles {
     names.reserve(bones.size());
     for (const NamedBone& bone : bones) names.push_back(bone.name);
     names_ = WithoutPrefix(std::move(names));
+    for (const std::string& name : names_) read_.push_back(ReadBoneName(name));
   }
 
   BoneRoles Tell() {
@@ -95,14 +96,14 @@ class Roles {
 
   BodyRole Limb(size_t b, BodyRole role) {
     if (told_[b].side == BodySide::kMiddle) return BodyRole::kNone;
-    return ReadBoneName(names_[b]).is_twist ? BodyRole::kTwist : First(role, told_[b].side);
+    return read_[b].is_twist ? BodyRole::kTwist : First(role, told_[b].side);
   }
 
   BodyPlace Place(size_t b, bool has_four_legs) {
     const BodyName& body = told_[b];
-    const auto is_own = ReadBoneName(names_[b]).body.part != BodyPart::kOther;
+    const auto is_own = read_[b].body.part != BodyPart::kOther;
     BodyRole role = RoleByWord(names_[b]);
-    if (role == BodyRole::kNone && ReadBoneName(names_[b]).is_helper) role = BodyRole::kHelper;
+    if (role == BodyRole::kNone && read_[b].is_helper) role = BodyRole::kHelper;
     if (role == BodyRole::kNone) role = RoleOfPart(b, is_own, has_four_legs);
     return {role, body.side};
   }
@@ -150,7 +151,7 @@ class Roles {
   BodyRole Hand(size_t b) {
     if (told_[b].side == BodySide::kMiddle) return BodyRole::kNone;
     const bool is_finger =
-        HasWord(names_[b], {"finger", "thumb", "index", "mid", "ring", "pink", "little", "f"});
+        HasWord(names_[b], {"finger", "thumb", "index", "mid", "ring", "pink", "little"});
     if (!is_finger) {
       const BodyRole role = First(BodyRole::kHand, told_[b].side);
       return role == BodyRole::kHand ? role : BodyRole::kNone;
@@ -222,7 +223,8 @@ class Roles {
 
   const std::vector<NamedBone>& bones_;
   std::vector<BodyName> told_;
-  std::vector<std::string> names_;
+  std::vector<std::string> names_;  // without what all begin with
+  std::vector<ReadName> read_;
   std::vector<BodyPlace> places_;
   std::array<std::array<bool, static_cast<size_t>(BodyRole::kHelper) + 1>, 3> taken_ = {};
   size_t hips_ = 0;

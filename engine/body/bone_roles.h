@@ -1,6 +1,6 @@
 #pragma once
 
-// Which bone of a skeleton is what in a body, told by the names of the bones and by what hangs on
+// Roles of the bones of a skeleton in a body, told by the names of the bones and by what hangs on
 // what.
 
 #include <string>

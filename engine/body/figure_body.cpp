@@ -37,6 +37,25 @@ struct ReadHinge {
   std::string motion;
 };
 
+std::string NameOf(const HumanJoint& joint, const char* motion) {
+  return joint.name + std::string(*motion ? "_" : "") + motion;
+}
+
+// Names of all hinges of the human.
+std::vector<std::string> HumanHinges() {
+  std::vector<std::string> names;
+  for (const HumanJoint& joint : kHumanJoints) {
+    for (const char* motion : joint.motions) {
+      if (!motion) continue;
+      if (!joint.has_sides) names.push_back(NameOf(joint, motion));
+      for (const char* side : {"r_", "l_"}) {
+        if (joint.has_sides) names.push_back(side + NameOf(joint, motion));
+      }
+    }
+  }
+  return names;
+}
+
 std::optional<ReadHinge> ReadHumanHinge(std::string name) {
   ReadHinge read;
   if (name.starts_with("r_") || name.starts_with("l_")) {
@@ -46,7 +65,7 @@ std::optional<ReadHinge> ReadHumanHinge(std::string name) {
   for (const HumanJoint& joint : kHumanJoints) {
     if (joint.has_sides != (read.side != BodySide::kMiddle)) continue;
     for (const char* motion : joint.motions) {
-      if (!motion || name != joint.name + std::string(*motion ? "_" : "") + motion) continue;
+      if (!motion || name != NameOf(joint, motion)) continue;
       read.joint = &joint;
       read.motion = *motion ? motion : "flexion";
       return read;
@@ -55,8 +74,24 @@ std::optional<ReadHinge> ReadHumanHinge(std::string name) {
   return std::nullopt;
 }
 
-double Overlap(double begin, double end, double other_begin, double other_end) {
-  return std::max(0.0, std::min(end, other_end) - std::max(begin, other_begin));
+// A joint of a row that does a part of what a joint of the human does: the share of the human's
+// angle that it does, and the share of its own angle that is the human's.
+struct Covering {
+  GroupIndex joint;
+  double of_human = 0.0, of_own = 0.0;
+};
+
+std::vector<Covering> CoveringOf(const HumanJoint& human, const std::vector<GroupIndex>& row) {
+  constexpr double kNothing = 1e-9;
+  std::vector<Covering> covering;
+  const double length = 1.0 / static_cast<double>(row.size());
+  for (size_t i = 0; i < row.size(); ++i) {
+    const double at = static_cast<double>(i) * length;
+    const double both = std::min(at + length, human.end) - std::max(at, human.begin);
+    if (both <= kNothing) continue;
+    covering.push_back({row[i], both / (human.end - human.begin), both / length});
+  }
+  return covering;
 }
 
 std::vector<BodyPlace> PlacesOf(const Figure& figure) {
@@ -121,16 +156,11 @@ std::optional<JointIndex> FigureBody::HingeNamed(GroupIndex joint,
 std::vector<HingeShare> FigureBody::HingesFor(const std::string& human_hinge) const {
   const std::optional<ReadHinge> read = ReadHumanHinge(human_hinge);
   if (!read) return {};
-  const HumanJoint& human = *read->joint;
   std::vector<HingeShare> shares;
-  const std::vector<GroupIndex> row = Row(human.role, read->side);
-  const double length = 1.0 / static_cast<double>(row.size());
-  for (size_t i = 0; i < row.size(); ++i) {
-    const double at = static_cast<double>(i) * length;
-    const double share =
-        Overlap(at, at + length, human.begin, human.end) / (human.end - human.begin);
-    const std::optional<JointIndex> hinge = HingeNamed(row[i], read->motion);
-    if (hinge && share > 1e-9) shares.push_back({*hinge, share});
+  const std::vector<GroupIndex> row = Row(read->joint->role, read->side);
+  for (const Covering& part : CoveringOf(*read->joint, row)) {
+    const std::optional<JointIndex> hinge = HingeNamed(part.joint, read->motion);
+    if (hinge) shares.push_back({*hinge, part.of_human});
   }
   return shares;
 }
@@ -142,29 +172,17 @@ std::optional<JointIndex> FigureBody::HingeFor(const std::string& human_hinge) c
 
 std::vector<std::pair<std::string, double>> FigureBody::HumanAngles(const VecX& q) const {
   std::vector<std::pair<std::string, double>> angles;
-  for (const HumanJoint& human : kHumanJoints) {
-    for (const char* side : {"r_", "l_"}) {
-      if (!human.has_sides && *side == 'l') continue;
-      for (const char* motion : human.motions) {
-        if (!motion) continue;
-        const std::string name =
-            (human.has_sides ? side : "") + std::string(human.name) + (*motion ? "_" : "") + motion;
-        const std::optional<ReadHinge> read = ReadHumanHinge(name);
-        const std::vector<GroupIndex> row = Row(human.role, read->side);
-        const double length = 1.0 / static_cast<double>(row.size());
-        double angle = 0.0;
-        bool is_there = false;
-        for (size_t i = 0; i < row.size(); ++i) {
-          const double at = static_cast<double>(i) * length;
-          const double part = Overlap(at, at + length, human.begin, human.end) / length;
-          const std::optional<JointIndex> hinge = HingeNamed(row[i], read->motion);
-          if (!hinge || part < 1e-9) continue;
-          angle += part * q[hinge->value()];
-          is_there = true;
-        }
-        if (is_there) angles.emplace_back(name, angle);
-      }
+  for (const std::string& name : HumanHinges()) {
+    const ReadHinge read = *ReadHumanHinge(name);
+    double angle = 0.0;
+    bool is_there = false;
+    for (const Covering& part : CoveringOf(*read.joint, Row(read.joint->role, read.side))) {
+      const std::optional<JointIndex> hinge = HingeNamed(part.joint, read.motion);
+      if (!hinge) continue;
+      angle += part.of_own * q[hinge->value()];
+      is_there = true;
     }
+    if (is_there) angles.emplace_back(name, angle);
   }
   return angles;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-// What is what in a figure: its joints by role, and its hinges by what they do in a body.
+// Body that a figure is: its joints by role, and its hinges by what they do.
 
 #include <optional>
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
 
-// Which bone of a skeleton is what in a body, told by its shape alone, where names say nothing.
+// Roles of the bones of a skeleton in a body, told by its shape alone, where names say nothing.
 
 #include <vector>
 

@@ -22,6 +22,26 @@ std::string StandingJoint(const FigureBody& body, BodySide side, const Figure& f
 std::optional<Error> CheckFreeOfRegions(int first, int last, const std::string& instead,
                                         const Project& project);
 
+// A hinge of the figure, and its share of what one of the human does in a move.
+template <typename Hinge>
+struct NamedHinge {
+  std::string name;
+  JointIndex joint;
+  Hinge hinge;
+};
+
+// Adds what a hinge of the figure does of one of the human; a hinge that does several does their
+// sum.
+template <typename Hinge>
+void AddShare(const HingeShare& share, Hinge hinge, const Figure& figure,
+              std::vector<NamedHinge<Hinge>>* all) {
+  hinge.Scale(share.share);
+  for (NamedHinge<Hinge>& known : *all) {
+    if (known.joint == share.hinge) return known.hinge.Add(hinge);
+  }
+  all->push_back({figure.joint(share.hinge).name, share.hinge, hinge});
+}
+
 // Keys a joint [deg, deg/s] or the root's place [m, m/s].
 void KeyMove(int frame, double value, std::optional<double> rate, ProjectCurve* curve);
 // Returns so many seconds in frames, at least `least`.

@@ -77,15 +77,14 @@ const HingeSpec* HumanHinge(std::string_view joint, std::string_view name) {
   return nullptr;
 }
 
-StrengthCurve Scaled(StrengthCurve curve, double torque, double angle) {
-  curve.torque *= torque;
+StrengthCurve Scaled(StrengthCurve curve, double angle) {
   curve.best_angle *= angle;
   curve.width *= angle;
   return curve;
 }
 
-// What the parts of the human's row do that this part of a row covers.
-void TakeHuman(const Rows& rows, const RowPart& part, double strength, BodyHinge* hinge) {
+// Takes from the human's row what this part of a row covers.
+void TakeHuman(const Rows& rows, const RowPart& part, BodyHinge* hinge) {
   double most = 0.0;
   hinge->is_usual = false;
   for (const Part& human : rows.human) {
@@ -98,13 +97,12 @@ void TakeHuman(const Rows& rows, const RowPart& part, double strength, BodyHinge
     hinge->upper += share * spec->upper;
     if (!spec->strength || share <= most) continue;
     most = share;
-    hinge->strength = JointStrength{Scaled(spec->strength->positive, strength, share),
-                                    Scaled(spec->strength->negative, strength, share)};
+    hinge->strength = JointStrength{Scaled(spec->strength->positive, share),
+                                    Scaled(spec->strength->negative, share)};
   }
 }
 
-BodyHinge HingeOf(const Rows& rows, const Row& row, BodySide side, const RowPart& part,
-                  double strength) {
+BodyHinge HingeOf(const Rows& rows, const Row& row, BodySide side, const RowPart& part) {
   BodyHinge hinge;
   hinge.name = row.name;
   // Reflected, so that equal angles are mirror images.
@@ -118,19 +116,19 @@ BodyHinge HingeOf(const Rows& rows, const Row& row, BodySide side, const RowPart
     hinge.lower = row.lower * kDegree;
     hinge.upper = row.upper * kDegree;
   } else {
-    TakeHuman(rows, part, strength, &hinge);
+    TakeHuman(rows, part, &hinge);
   }
   return hinge;
 }
 
 }  // namespace
 
-std::optional<BodyHinges> BodyHingesOf(BodyPlace place, const RowPart& part, double strength) {
+std::optional<BodyHinges> BodyHingesOf(BodyPlace place, const RowPart& part) {
   for (const Rows& rows : AllRows()) {
     if (rows.role != place.role) continue;
     BodyHinges hinges;
     for (size_t h = 0; h < hinges.size(); ++h) {
-      hinges[h] = HingeOf(rows, rows.hinges[h], place.side, part, strength);
+      hinges[h] = HingeOf(rows, rows.hinges[h], place.side, part);
     }
     return hinges;
   }

@@ -29,8 +29,7 @@ struct RowPart {
 };
 
 // Hinges, limits and strength as the human that comes with Hazumi has them; of a clavicle and of
-// fingers, which it has not, see body_hinges.cpp. `strength`: factor of torques. None if the role
-// has no hinges of its own.
-std::optional<BodyHinges> BodyHingesOf(BodyPlace place, const RowPart& part, double strength);
+// fingers, which it has not, see body_hinges.cpp. None if the role has no hinges of its own.
+std::optional<BodyHinges> BodyHingesOf(BodyPlace place, const RowPart& part);
 
 }  // namespace hazumi

@@ -7,6 +7,7 @@
 #include "engine/base/text.h"
 #include "engine/body/shape_roles.h"
 #include "engine/exchange/character/character_check.h"
+#include "engine/exchange/import/figure_joints.h"
 #include "engine/exchange/import/figure_parts.h"
 #include "engine/exchange/import/import_check.h"
 #include "engine/exchange/import/import_names.h"
@@ -23,15 +24,9 @@ namespace hazumi {
 namespace {
 
 constexpr double kMassOfHeight = 70.0 / (1.7 * 1.7);  // [kg/m^2]
-constexpr double kMargin = 15.0 * kDegree;            // beyond the clip [rad]
-constexpr double kUnknown = 45.0 * kDegree;           // about rest, where no clip and no body tells
-constexpr double kBeyond = 2.0 * kDegree;  // beyond a clip that goes farther than people do
-constexpr double kFixed = 1e-3 * kDegree;  // a hinge that turns less is fixed
-constexpr double kMassOfHuman = 70.0, kHeightOfHuman = 1.7;  // of human.json [kg], [m]
-constexpr double kFree = 4.0 * std::numbers::pi;             // beyond the clip, without limits
-constexpr double kMetresPerDegree = 0.002;                   // tolerance of the root's place
-constexpr double kDwarf = 1e-3;                              // [m]
-constexpr double kPoint = 1e-8;                              // of a file's height, in its unit
+constexpr double kMetresPerDegree = 0.002;            // tolerance of the root's place
+constexpr double kDwarf = 1e-3;                       // [m]
+constexpr double kPoint = 1e-8;                       // of a file's height, in its unit
 constexpr double kLeap = 1.0,
                  kSudden = 5.0;       // of the root from frame to frame [m], and of its other steps
 constexpr double kFar = 100.0;        // from the origin [m]
@@ -149,7 +144,7 @@ class Importer {
         {RootName(), "bones beside it that carry no skin are left out: " + names});
   }
 
-  // Of bones whose names say nothing.
+  // Tells what bones are whose names say nothing.
   void TellRolesByShape() {
     const auto has_place = [](const KeptBone& bone) { return bone.place != BodyPlace(); };
     if (std::any_of(skeleton_.bones.begin(), skeleton_.bones.end(), has_place)) return;
@@ -305,62 +300,6 @@ class Importer {
                             " cm from where the file has them: " + where);
   }
 
-  // Angles that a hinge has in the clip, or at rest.
-  struct Range {
-    double low = 0.0, high = 0.0;
-  };
-  static Range RangeOf(const PlannedJoint& joint, int h) {
-    Range range = {joint.rest[h], joint.rest[h]};
-    if (joint.body && !joint.angles.empty()) {
-      range = {joint.angles[0][h], joint.angles[0][h]};
-    }
-    for (const Vec3& angles : joint.angles) {
-      range.low = std::min(range.low, angles[h]);
-      range.high = std::max(range.high, angles[h]);
-    }
-    return range;
-  }
-
-  HingeSpec HingeFor(const PlannedJoint& joint, int h, double strength) const {
-    HingeSpec hinge;
-    hinge.name = joint.HingeName(h).substr(joint.name.size() + 1);
-    const Range clip = RangeOf(joint, h);
-    if (joint.body) {
-      const BodyHinge& of_body = (*joint.body)[static_cast<size_t>(h)];
-      hinge.axis = of_body.sign * joint.frame.col(of_body.axis);
-      hinge.strength = of_body.strength;
-      if (hinge.strength) {
-        hinge.strength->positive.torque *= strength;
-        hinge.strength->negative.torque *= strength;
-      }
-      SetBodyLimits(of_body, clip, &hinge);
-    } else {
-      hinge.axis = Vec3::Unit(joint.axes[h]);
-      hinge.lower = clip.low - (clip_ ? kMargin : kUnknown);
-      hinge.upper = clip.high + (clip_ ? kMargin : kUnknown);
-    }
-    if (options_.limits == ImportLimits::kNone) {
-      hinge.lower = clip.low - kFree;
-      hinge.upper = clip.high + kFree;
-    }
-    hinge.rest = std::clamp(joint.rest[h], hinge.lower, hinge.upper);
-    return hinge;
-  }
-
-  // As far as people go, or the clip does. What people cannot turn is fixed unless the clip turns
-  // it.
-  static void SetBodyLimits(const BodyHinge& of_body, const Range& clip, HingeSpec* hinge) {
-    if (!of_body.is_usual && clip.high - clip.low < kFixed) {
-      hinge->lower = hinge->upper = 0.5 * (clip.low + clip.high);
-      return;
-    }
-    const bool is_usual = of_body.is_usual;
-    const bool is_below = !is_usual || clip.low < of_body.lower;
-    const bool is_above = !is_usual || clip.high > of_body.upper;
-    hinge->lower = is_below ? clip.low - kBeyond : of_body.lower;
-    hinge->upper = is_above ? clip.high + kBeyond : of_body.upper;
-  }
-
   // By kept bone; `how` follows the mass.
   std::vector<std::vector<LinkSpec>> WeighedLinks(std::string* how) const {
     if (auto known = KnownLinks(character_, skeleton_, world_, options_.mass_kg)) {
@@ -373,39 +312,14 @@ class Importer {
     return links;
   }
 
-  static double MassOf(const std::vector<std::vector<LinkSpec>>& links) {
-    double mass = 0.0;
-    for (const auto& of_bone : links) {
-      for (const LinkSpec& link : of_bone) mass += link.mass.value_or(0.0);
-    }
-    return mass;
-  }
-
   std::optional<Error> SetFigure() {
     std::string how;
     const auto links = WeighedLinks(&how);
     FigureSpec spec;
-    const double strength = MassOf(links) * world_.height / (kMassOfHuman * kHeightOfHuman);
-    const auto has_place = [](const KeptBone& bone) { return bone.place != BodyPlace(); };
-    const bool is_body = std::any_of(skeleton_.bones.begin(), skeleton_.bones.end(), has_place);
     spec.name = character_.name;
     spec.root_name = plan_.joints[0].name;
     spec.root_links = links[0];
-    for (size_t k = 1; k < plan_.joints.size(); ++k) {
-      const PlannedJoint& planned = plan_.joints[k];
-      JointSpec joint;
-      joint.name = planned.name;
-      joint.parent = plan_.joints[planned.parent].name;
-      joint.offset = planned.offset;
-      joint.orientation = planned.orientation;
-      for (int h = 0; h < planned.num_hinges; ++h) {
-        joint.hinges.push_back(HingeFor(planned, h, strength));
-      }
-      if (is_body) joint.body = skeleton_.bones[k].place;
-      joint.links = links[k];
-      spec.joints.push_back(std::move(joint));
-    }
-    AddFeet(links, &spec);
+    spec.joints = JointsOf(skeleton_, plan_, links, world_, options_.limits, &report_);
     const Result<Figure> figure = BuildFigure(spec);
     if (!figure.ok()) return figure.error();
     project_.figure.embedded_json = FigureText(spec);
@@ -413,29 +327,6 @@ class Importer {
     report_.facts.push_back(FormatShort(figure.value().total_mass()) + " kg, " + how);
     SetGround(GroundUnder(plan_, skin_, links));
     return std::nullopt;
-  }
-
-  // A leg without a foot stands on its end: a joint that does not turn, which pins can hold.
-  void AddFeet(const std::vector<std::vector<LinkSpec>>& links, FigureSpec* spec) {
-    for (size_t k = 1; k < plan_.joints.size(); ++k) {
-      const BodyPlace place = skeleton_.bones[k].place;
-      const auto is_foot = [&](const KeptBone& bone) {
-        return bone.place == BodyPlace{BodyRole::kFoot, place.side};
-      };
-      const bool has_foot = std::any_of(skeleton_.bones.begin(), skeleton_.bones.end(), is_foot);
-      if (place.role != BodyRole::kShin || has_foot || links[k].empty()) continue;
-      JointSpec foot;
-      foot.name = plan_.joints[k].name + "_foot";
-      foot.parent = plan_.joints[k].name;
-      foot.offset = links[k].front().to;
-      foot.body = BodyPlace{BodyRole::kFoot, place.side};
-      HingeSpec hinge;
-      hinge.axis = plan_.joints[k].frame.col(1);
-      foot.hinges.push_back(hinge);
-      spec->joints.push_back(std::move(foot));
-      report_.facts.push_back("the leg " + Quoted(plan_.joints[k].name) +
-                              " has no foot: it stands on its end");
-    }
   }
 
   void SetGround(double height) {

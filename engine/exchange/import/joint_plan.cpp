@@ -52,6 +52,7 @@ class Planner {
         num_frames_(clip ? clip->num_frames : 1) {}
 
   FigurePlan Plan() {
+    plan_.has_clip = clip_ != nullptr;
     std::vector<std::string> names;
     for (size_t k = 0; k < skeleton_.bones.size(); ++k) names.push_back(bone(k).name);
     names = FigureNames(names, report_);
@@ -144,7 +145,7 @@ class Planner {
     for (size_t k = 0; k < rest.size(); ++k) A.push_back(rest[k].R.transpose() * S[k]);
     for (size_t k = 1; k < rest.size(); ++k) {
       PlannedJoint& joint = plan_.joints[k];
-      joint.body = BodyHingesOf(bones[k].place, PartOfRow(k), 1.0);
+      joint.body = BodyHingesOf(bones[k].place, PartOfRow(k));
       if (!joint.body) continue;
       const Mat3 before = joint.orientation, A_p = A[static_cast<size_t>(joint.parent)];
       const auto angles = [&](const Mat3& R, const Vec3& previous) -> Vec3 {

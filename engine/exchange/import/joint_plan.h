@@ -38,6 +38,7 @@ struct PlannedJoint {
 };
 
 struct FigurePlan {
+  bool has_clip = false;
   std::vector<PlannedJoint> joints;  // by kept bone; the first one is the root
   std::vector<Vec3> root_position;   // by frame [m]
   std::vector<Vec3> root_angles;     // by frame, z, y, x [rad]

@@ -110,8 +110,8 @@ std::optional<int> LatestEnd(int frame, const Project& project) {
 class KnownJump {
  public:
   KnownJump(const JumpSpans& spans, const Project& project, const Animation& animation,
-            const Motion& motion)
-      : project_(project), motion_(motion), body_(*animation.figure) {
+            const Motion& motion, const JumpBody& body)
+      : project_(project), motion_(motion), body_(body) {
     pins_ = {project.placements[spans.before], project.placements[spans.after]};
     const int take_off = pins_.before.last_frame;
     frames_[kTakeOff] = take_off;
@@ -186,7 +186,7 @@ class KnownJump {
 
   const Project& project_;
   const Motion& motion_;
-  JumpBody body_;
+  const JumpBody& body_;
   JumpPins pins_;
   JumpFrames frames_{};
 };
@@ -243,7 +243,7 @@ Result<MadeJump> AimJump(const JumpTarget& target, double frame, const Animation
   }
   const JumpBody body(*animation.figure);
   if (const auto error = body.Check(*animation.figure)) return *error;
-  const KnownJump known(*spans, project, animation, motion);
+  const KnownJump known(*spans, project, animation, motion, body);
   Stage stage(animation, body);
   const Vec3 landing = known.KeyedLanding(&stage);
   const Vec3 spot(target.x.value_or(landing.x()), target.y.value_or(landing.y()), 0.0);

@@ -45,19 +45,6 @@ void PushByTheKnee(JumpHinge* hinge) {
   hinge->angles[kStretched] = is_knee ? 25.0 : 15.0;
 }
 
-// Adds what a hinge of the figure does of one of the human: one that has several does their sum.
-void AddShare(const HingeShare& share, JumpHinge hinge, const Figure& figure,
-              std::vector<NamedJumpHinge>* all) {
-  for (double& angle : hinge.angles) angle *= share.share;
-  const auto known = std::find_if(
-      all->begin(), all->end(), [&](const NamedJumpHinge& of) { return of.joint == share.hinge; });
-  if (known == all->end()) {
-    all->push_back({figure.joint(share.hinge).name, share.hinge, hinge});
-    return;
-  }
-  for (size_t i = 0; i < hinge.angles.size(); ++i) known->hinge.angles[i] += hinge.angles[i];
-}
-
 void KeyPlace(const JumpPlan& plan, ProjectRoot* root) {
   for (int i = 0; i < 3; ++i) {
     ProjectCurve& curve = root->curves[kRootX + i];

@@ -14,6 +14,7 @@
 #include "engine/dynamics/kinematics.h"
 #include "engine/makers/jumps/jump_poses.h"
 #include "engine/makers/jumps/jumps.h"
+#include "engine/makers/keyed_moves.h"
 #include "engine/project/project.h"
 #include "engine/timeline/animation.h"
 
@@ -32,12 +33,7 @@ inline Stance Going(const Stance& stance, double seconds, const Stance& rates) {
   return {stance.q + seconds * rates.q, stance.angles + seconds * rates.angles};
 }
 
-// A hinge of the figure that a jump keys.
-struct NamedJumpHinge {
-  std::string name;
-  JointIndex joint;
-  JumpHinge hinge;  // its share of the human's
-};
+using NamedJumpHinge = NamedHinge<JumpHinge>;
 
 // What of a figure jumps; hinges by side, right and left. A foot that stands on its ankle, without
 // a toe, stays flat until take-off.

@@ -15,6 +15,13 @@ struct JumpHinge {
   bool has_sides;
   bool bears;                                 // fastest as it pushes off and as it catches
   std::array<double, kNumJumpPhases> angles;  // by phase [degrees]
+
+  void Scale(double by) {
+    for (double& angle : angles) angle *= by;
+  }
+  void Add(const JumpHinge& other) {
+    for (size_t i = 0; i < angles.size(); ++i) angles[i] += other.angles[i];
+  }
 };
 
 // The feet of a standing figure are flat, but for heels a little off the floor in the

@@ -68,21 +68,6 @@ bool MovesLegs(const ThrowPlan& plan, const Project& project) {
   });
 }
 
-// Adds what a hinge of the figure does of one of the human: one that has several does their sum.
-void AddShare(const HingeShare& share, ThrowHinge hinge, const Figure& figure,
-              std::vector<NamedThrowHinge>* all) {
-  for (double& angle : hinge.angles) angle *= share.share;
-  hinge.turns *= share.share;
-  const auto known = std::find_if(
-      all->begin(), all->end(), [&](const NamedThrowHinge& of) { return of.joint == share.hinge; });
-  if (known == all->end()) {
-    all->push_back({figure.joint(share.hinge).name, share.hinge, hinge});
-    return;
-  }
-  for (size_t i = 0; i < hinge.angles.size(); ++i) known->hinge.angles[i] += hinge.angles[i];
-  known->hinge.turns += hinge.turns;
-}
-
 void SetTimes(const Animation& animation, ThrowPlan* plan) {
   plan->back = plan->start + FramesOf(kBackSeconds, 3, animation);
   plan->region_first = plan->back + FramesOf(kForwardSeconds, 2, animation);

@@ -9,6 +9,7 @@
 
 #include "engine/bake/motion.h"
 #include "engine/body/figure_body.h"
+#include "engine/makers/keyed_moves.h"
 #include "engine/makers/throws/throw_case.h"
 #include "engine/makers/throws/throw_poses.h"
 #include "engine/project/edits/holders.h"
@@ -34,11 +35,7 @@ struct ThrowPlan {
   bool moves_legs = false;  // nothing else places the figure then
 };
 
-struct NamedThrowHinge {
-  std::string name;  // in the figure
-  JointIndex joint;
-  ThrowHinge hinge;  // its share of the human's
-};
+using NamedThrowHinge = NamedHinge<ThrowHinge>;
 
 // Every hinge of a figure that a throw by its right or left hand keys.
 std::vector<NamedThrowHinge> HingesOfThrow(BodySide side, const Figure& figure);

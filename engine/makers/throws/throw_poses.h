@@ -25,6 +25,15 @@ struct ThrowHinge {
   double turns = 0.0;                          // its share of the way to the spot
 
   bool swings() const { return std::string_view(name) == "shoulder_flexion"; }
+
+  void Scale(double by) {
+    for (double& angle : angles) angle *= by;
+    turns *= by;
+  }
+  void Add(const ThrowHinge& other) {
+    for (size_t i = 0; i < angles.size(); ++i) angles[i] += other.angles[i];
+    turns += other.turns;
+  }
 };
 
 inline constexpr double kShoulderBack = -60.0;  // as far back as the arm swings [degrees]
