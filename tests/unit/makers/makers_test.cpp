@@ -3,11 +3,13 @@
 #include <algorithm>
 
 #include "engine/bake/bake.h"
+#include "engine/figure/figure_builder.h"
 #include "engine/makers/flights/flights.h"
 #include "engine/makers/jumps/jumps.h"
 #include "engine/makers/throws/throws.h"
 #include "engine/makers/trial_bakes.h"
 #include "engine/project/compile.h"
+#include "engine/project/figure_file.h"
 #include "tests/unit/edit/placement/keyed_jump.h"
 #include "tests/unit/edit/sessions.h"
 
@@ -181,6 +183,69 @@ TEST(TrialBakes, BakeAsBakeDoesAndEndWithTheirError) {
   const auto after = trials.BakeTo(last, start.animation);
   ASSERT_FALSE(after.ok());
   EXPECT_EQ(after.error().place, "here");
+}
+
+// The human with other names for its joints.
+std::string OtherName(const std::string& joint) {
+  constexpr std::pair<const char*, const char*> kNames[] = {
+      {"shoulder", "Arm"}, {"elbow", "ForeArm"}, {"wrist", "Hand"}, {"hip", "UpLeg"},
+      {"knee", "Leg"},     {"ankle", "Foot"},    {"toe", "ToeBase"}};
+  for (const auto& [human, other] : kNames) {
+    for (const auto& [letter, side] : {std::pair{"r_", "Right"}, {"l_", "Left"}}) {
+      const std::string name = letter + std::string(human);
+      if (joint.starts_with(name)) return side + (other + joint.substr(name.size()));
+    }
+  }
+  for (const auto& [human, other] :
+       {std::pair{"waist", "Spine"}, {"chest", "Spine1"}, {"neck", "Neck"}}) {
+    if (joint.starts_with(human)) return other + joint.substr(std::string_view(human).size());
+  }
+  return joint;
+}
+
+Project WithOtherNames(Project project) {
+  FigureSpec spec = WithMirroredTwins(project.figure.spec);
+  spec.mirror.reset();
+  for (JointSpec& joint : spec.joints) {
+    joint.name = OtherName(joint.name);
+    joint.parent = OtherName(joint.parent);
+  }
+  project.skin = {};
+  project.figure = {};
+  project.figure.embedded_json = FigureText(spec);
+  project.figure.spec = std::move(spec);
+  for (auto& joint : project.joints) joint.name = OtherName(joint.name);
+  for (auto& object : project.held_objects) object.joint = OtherName(object.joint);
+  return project;
+}
+
+void ExpectSameKeys(const Project& human, const Project& other) {
+  ASSERT_EQ(human.joints.size(), other.joints.size());
+  for (size_t i = 0; i < human.joints.size(); ++i) {
+    EXPECT_EQ(OtherName(human.joints[i].name), other.joints[i].name);
+    const auto &is = other.joints[i].value.keys, &was = human.joints[i].value.keys;
+    ASSERT_EQ(is.size(), was.size()) << other.joints[i].name;
+    for (size_t k = 0; k < is.size(); ++k) {
+      EXPECT_EQ(is[k].frame, was[k].frame) << other.joints[i].name;
+      EXPECT_NEAR(is[k].value, was[k].value, 1e-6) << other.joints[i].name;
+    }
+  }
+}
+
+TEST(Makers, MakeTheSameMovesOfAFigureWithOtherNames) {
+  const Baked human = WithBall(), other(WithOtherNames(human.project));
+  const makers::ThrowTarget spot{0, Vec3(2.0, 0.5, 0.0), {}};
+  const auto thrown =
+      makers::MakeThrow(spot, human.motion.frames.front(), human.animation, human.project);
+  const auto other_thrown =
+      makers::MakeThrow(spot, other.motion.frames.front(), other.animation, other.project);
+  ExpectSameKeys(Good(thrown).project, Good(other_thrown).project);
+  const auto jump = makers::MakeJump({0.9, 0.0, 0.4}, human.motion.frames.front(), human.animation,
+                                     human.project);
+  const auto other_jump = makers::MakeJump({0.9, 0.0, 0.4}, other.motion.frames.front(),
+                                           other.animation, other.project);
+  ExpectSameKeys(Good(jump).project, Good(other_jump).project);
+  EXPECT_EQ(other_jump.value().project.placements.front().pin, "RightToeBase");
 }
 
 }  // namespace
