@@ -3,6 +3,7 @@
 import contextlib
 import pathlib
 import re
+import socket
 import subprocess
 import sys
 
@@ -47,14 +48,15 @@ def mirror():
 
 @contextlib.contextmanager
 def clean_root():
-    """A minimal Debian with the file systems of the kernel, which are unmounted in the end. It stays
-    there to be looked at."""
+    """A minimal Debian that knows its own name, with the file systems of the kernel, which are
+    unmounted in the end. It stays there to be looked at."""
     if ROOT.exists():
         run("rm", "-rf", "--one-file-system", ROOT)
     ROOT.parent.mkdir(exist_ok=True)
     say("debootstrap")
     release, site = mirror()
     run("debootstrap", "--variant=minbase", release, ROOT, site, stdout=subprocess.DEVNULL)
+    (ROOT / "etc" / "hosts").write_text(f"127.0.0.1 localhost\n127.0.1.1 {socket.gethostname()}\n")
     mounted = []
     try:
         for options in (("-t", "proc", "proc", "proc"), ("--rbind", "--make-rslave", "/sys", "sys"),

@@ -25,7 +25,7 @@ PR_SET_PDEATHSIG = 1
 
 CONFIGURATION = """\
 ClusterName=farm
-SlurmctldHost={host}(127.0.0.1)
+SlurmctldHost={host}({address})
 SlurmctldPort={ports[0]}
 AuthType=auth/munge
 AuthInfo=socket={folder}/munge/socket,cred_expire=5
@@ -63,11 +63,22 @@ PartitionName=farm Nodes=ALL Default=YES MaxTime=INFINITE State=UP
 """
 
 
-def free_ports(number):
+def own_address():
+    """The name of this machine and its address, at which Slurm's daemons listen: Debian gives names
+    127.0.1.1. Raises FarmError."""
+    name = socket.gethostname()
+    try:
+        return name.split(".")[0], socket.gethostbyname(name)
+    except OSError as error:
+        raise FarmError(f"{name}, the name of this machine, has no address; add the line \"127.0.1.1 {name}\" "
+                        "to /etc/hosts") from error
+
+
+def free_ports(address, number):
     """Ports of this machine that nobody listens at."""
     sockets = [socket.socket() for _ in range(number)]
     for each in sockets:
-        each.bind(("127.0.0.1", 0))
+        each.bind((address, 0))
     ports = [each.getsockname()[1] for each in sockets]
     for each in sockets:
         each.close()
@@ -128,12 +139,13 @@ class LocalCluster:
         key = munge / "key"
         key.touch(mode=0o600)
         key.write_bytes(os.urandom(128))
-        ports, host = free_ports(1 + len(NODES)), socket.gethostname().split(".")[0]
+        host, address = own_address()
+        ports = free_ports(address, 1 + len(NODES))
         cpus = max((os.cpu_count() or 1) // len(NODES), 1)
-        nodes = "\n".join(f"NodeName={name} NodeHostname={host} NodeAddr=127.0.0.1 Port={port} "
+        nodes = "\n".join(f"NodeName={name} NodeHostname={host} NodeAddr={address} Port={port} "
                           f"CPUs={cpus} State=UNKNOWN" for name, port in zip(NODES, ports[1:]))
         user = pwd.getpwuid(os.getuid()).pw_name
-        self.conf.write_text(CONFIGURATION.format(host=host, ports=ports, folder=self.folder,
+        self.conf.write_text(CONFIGURATION.format(host=host, address=address, ports=ports, folder=self.folder,
                                                   user=user, nodes=nodes))
 
     def start(self):
