@@ -155,6 +155,15 @@ Result<Imported> Import(const std::string& file, const ImportOptions& options) {
   return imported;
 }
 
+Result<ImportOptions> ImportOptionsOf(const Options& options) {
+  ImportOptions how = options.import;
+  if (options.roles.empty()) return how;
+  Result<RoleMap> roles = ReadRoles(options.roles);
+  if (!roles.ok()) return roles.error();
+  how.roles = std::move(roles).value();
+  return how;
+}
+
 // Work limit of --check, which should take at most a fifth of a second (Work).
 static constexpr double kMostCheckWork = 1.5e5;
 
@@ -179,7 +188,9 @@ static void Add(std::vector<Warning> more, std::vector<Warning>* warnings) {
 
 Result<BakedProject> LoadAndBake(const std::string& file, const Options& options) {
   ImportReport report;
-  Result<Project> project = LoadOrImport(file, options.import, &report);
+  const Result<ImportOptions> how = ImportOptionsOf(options);
+  if (!how.ok()) return how.error();
+  Result<Project> project = LoadOrImport(file, how.value(), &report);
   if (!project.ok()) return InFile(project.error(), file);
   if (Interrupted()) return InterruptedError();
   ApplySolverOptions(options, &project.value());

@@ -8,6 +8,7 @@
 #include "engine/base/atomic_file.h"
 #include "engine/base/version.h"
 #include "engine/exchange/export_motion.h"
+#include "engine/exchange/onto/export_onto.h"
 #include "render/motion/figure_skin.h"
 #include "render/pipeline/video.h"
 #include "ui/edit/media_files.h"
@@ -51,6 +52,25 @@ int ExportFile(const BakedProject& baked, const FrameRange& frames, const Option
   if (!bytes.ok()) return Complain(bytes.error());
   const auto written = WriteFileAtomically(options.output, bytes.value(), WriteMode::kDurable);
   return written.ok() ? kExitOk : Complain(written.error());
+}
+
+// Puts the motion into the file that the figure was imported from.
+int ExportOntoSource(const BakedProject& baked, const FrameRange& frames, const Options& options) {
+  OntoOptions onto;
+  onto.source = options.onto;
+  onto.how = baked.project.source ? OptionsOf(*baked.project.source) : options.import;
+  onto.output = options.output;
+  onto.is_cancelled = [] { return Interrupted().load(); };
+  const Motion motion = PartOf(baked.motion, frames.first, frames.last);
+  const Result<OntoFile> file = ExportOnto(baked.animation, motion, onto);
+  if (Interrupted()) return Complain(InterruptedError());
+  if (!file.ok()) return Complain(file.error());
+  const auto written = WriteFileAtomically(options.output, file.value().bytes, WriteMode::kDurable);
+  if (!written.ok()) return Complain(written.error());
+  std::string names;
+  for (const std::string& bone : file.value().bones) names += (names.empty() ? "" : ", ") + bone;
+  PrintLine(stdout, "%s", names.empty() ? "no bone has changed" : ("changed: " + names).c_str());
+  return kExitOk;
 }
 
 // Each side a pixel more where it is odd: colours are stored for two by two pixels.
@@ -101,6 +121,7 @@ int RunExport(const Options& options) {
   PrintWarnings(options.files[0], baked.value().warnings);
   const auto frames = ChosenFrames(baked.value().motion, options, "writing");
   if (!frames || !HasFewGhosts(baked.value().motion, options)) return kExitUsage;
+  if (!options.onto.empty()) return ExportOntoSource(baked.value(), *frames, options);
   return IsVideo(options.output) ? ExportVideo(baked.value(), *frames, options)
                                  : ExportFile(baked.value(), *frames, options);
 }

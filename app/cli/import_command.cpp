@@ -12,9 +12,9 @@ namespace hazumi {
 
 int RunImport(const Options& options) {
   const std::string& file = options.files[0];
-  ImportOptions how = options.import;
-  if (options.rate) how.fps = static_cast<double>(options.rate->num) / options.rate->den;
-  const Result<Imported> imported = Import(file, how);
+  const Result<ImportOptions> how = ImportOptionsOf(options);
+  if (!how.ok()) return Complain(how.error());
+  const Result<Imported> imported = Import(file, how.value());
   if (!imported.ok()) return Complain(imported.error());
   const ImportReport& report = imported.value().report;
   PrintWarnings(file, Shortened(report.warnings, options.all_warnings ? 0 : kShortReport));

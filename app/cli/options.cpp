@@ -128,6 +128,9 @@ void ReadOptions(const CLI::App& app, Options* options) {
     Read(app, rule, options);
   }
   RefuseLargePictures(*options);
+  const bool is_by_itself = MotionFormatOf(options->output) || IsVideo(options->output);
+  if (task.tasks == kExport && options->onto.empty() && !is_by_itself)
+    throw UsageError(TaskText(task, *options) + " wants --onto SOURCE, a file of that format");
   if (task.tasks & kImport) {
     if (options->files.size() > 1) throw UsageError("--import takes one file, and no FILE beside");
     if (options->output.empty()) throw UsageError("--import wants --save OUT.kfa beside it");

@@ -72,6 +72,8 @@ struct Options {
   bool open_outside = false;  // sounds and references that lie outside of the project's folder
 
   ImportOptions import;  // how files of other programs are read
+  std::string onto;      // of --export: the file that the motion is put into
+  std::string roles;     // file with roles of bones
   bool all_warnings = false;
   bool strict = false;  // option of --check
 

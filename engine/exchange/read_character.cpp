@@ -1,5 +1,8 @@
 #include "engine/exchange/read_character.h"
 
+#include <filesystem>
+
+#include "engine/base/utf8.h"
 #include "engine/exchange/character/character_bytes.h"
 #include "engine/exchange/reader/whole_file.h"
 
@@ -33,7 +36,10 @@ Result<Character> ReadInChild(ReadUse use, const std::string& path, const ReadOp
   if (!outcome.ok())
     return outcome.error().file.empty() ? Of(path, outcome.error()) : outcome.error();
   if (const auto error = WhyNoAnswer(outcome.value(), options.limits)) return Of(path, *error);
-  return CharacterFromBytes(outcome.value().output, path);
+  Result<Character> character = CharacterFromBytes(outcome.value().output, path);
+  if (character.ok())
+    character.value().file = ValidUtf8(std::filesystem::path(path).filename().string());
+  return character;
 }
 
 Result<Character> ReadCharacter(const std::string& path, const ReadOptions& options) {

@@ -226,6 +226,7 @@ struct Project {
   ProjectFigure figure;
   ProjectSkin skin;
   bool size_is_guessed = false;  // no unit of length was stated where the figure comes from
+  std::optional<ProjectSource> source;
   ProjectScene scene;
   ProjectRoot root;
   std::vector<Named<ProjectCurve>> joints;  // by hinge; a hinge not named rests
@@ -250,10 +251,10 @@ struct Project {
 // one. Every member is named, so that a new one is not forgotten here.
 template <typename AnyProject>
 auto PartsOfProject(AnyProject& project) {
-  auto& [name, fps, frames, solver, figure, skin, size_is_guessed, scene, root, joints, regions,
-         placements, holds, held_objects, camera, audio, reference, markers, preview,
+  auto& [name, fps, frames, solver, figure, skin, size_is_guessed, source, scene, root, joints,
+         regions, placements, holds, held_objects, camera, audio, reference, markers, preview,
          selection_sets, forces, constraints, extra, read] = project;
-  return std::tie(joints, name, fps, frames, solver, figure, skin, size_is_guessed, scene,
+  return std::tie(joints, name, fps, frames, solver, figure, skin, size_is_guessed, source, scene,
                   root.extra, regions, placements, holds, held_objects, camera, audio, reference,
                   markers, preview, selection_sets, forces, constraints, extra);
 }

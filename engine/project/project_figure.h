@@ -25,6 +25,20 @@ struct ProjectFigure {
   }
 };
 
+// Where figure and keys were imported from, and how: what it takes to put changed keys back there.
+struct ProjectSource {
+  std::string file;             // its name, without a folder
+  std::string character, clip;  // of several; empty: the only one, none
+  std::optional<double> fps;    // at which the clip was read; not given: its own
+  bool z_up = false;            // else y
+  double metres_per_unit = 1.0;
+  std::optional<double> reduce_deg;  // not given: a key every frame
+  bool file_hinges = false;          // of the file; else of a body
+  bool file_facing = false;          // as the file has it; else turned so that it faces x
+  ExtraFields extra;
+  bool operator==(const ProjectSource&) const = default;
+};
+
 // Skins that come with the program, so that files need only name them.
 enum class ShippedSkin { kHuman };  // for assets/figures/human.json
 

@@ -135,6 +135,19 @@ constexpr OptionRule kForeignFileRules[] = {
      .choices = "body file",
      .remedy = "give body or file",
      .read = ReadHinges},
+    {.name = "--roles",
+     .tasks = kForeign,
+     .section = Section::kForeignFiles,
+     .value = "MAP.json",
+     .help = "what bones are whose names and shape tell it wrong: {\"format\": \"hazumi-roles\", "
+             "\"roles\": {\"BONE\": \"left upper_arm\"}}",
+     .files = "json",
+     .remedy = "name a map of roles, a .json file",
+     .read =
+         [](const std::string& text, Options* o) {
+           o->roles = text;
+           return !text.empty();
+         }},
     {.name = "--facing",
      .tasks = kForeign,
      .section = Section::kForeignFiles,

@@ -2,6 +2,7 @@
 
 #include "app/cli/option_values.h"
 #include "app/cli/table/sections.h"
+#include "engine/exchange/onto/export_onto.h"
 
 namespace hazumi {
 
@@ -28,6 +29,19 @@ constexpr OptionRule kOutputRules[] = {
      .more = "with --render, --bake, --export, --info, --flight",
      .remedy = "give 0.1 to 10000 frames a second, such as 60, 29.97 or 30000/1001",
      .read = [](const std::string& text, Options* o) { return Keep(ReadRate(text), &o->rate); }},
+    {.name = "--onto",
+     .tasks = kBvh | kPlain,
+     .section = Section::kOutput,
+     .value = "SOURCE",
+     .help = "of --export to .glb, .gltf, .vrm and .bvh: SOURCE, which the project was imported "
+             "from, with its changed bones; all else stays as it is there",
+     .files = "glb gltf vrm bvh",
+     .remedy = "name the file that the project was imported from: .glb, .gltf, .vrm or .bvh",
+     .read =
+         [](const std::string& text, Options* o) {
+           o->onto = text;
+           return CanBeOnto(text);
+         }},
     {.name = "--bvh-up",
      .tasks = kBvh,
      .section = Section::kOutput,

@@ -4,6 +4,7 @@
 #include "app/cli/option_values.h"
 #include "app/cli/table/sections.h"
 #include "engine/exchange/export_motion.h"
+#include "engine/exchange/onto/export_onto.h"
 
 namespace hazumi {
 
@@ -27,7 +28,7 @@ bool ReadMotionFile(const std::string& text, Options* options) {
 bool ReadExport(const std::string& text, Options* options) {
   options->task = Task::kExport;
   options->output = text;
-  return MotionFormatOf(text) || IsVideo(text);
+  return MotionFormatOf(text) || IsVideo(text) || CanBeOnto(text);
 }
 
 bool ReadScript(const std::string& text, Options* options) {
@@ -82,9 +83,9 @@ constexpr OptionRule kTaskRules[] = {
      .tasks = kExport,
      .value = "OUT",
      .help = "write the motion for other programs: OUT ends in .bvh, .gltf, .glb (with the "
-             "figure's mesh), .csv, .json or .mp4",
+             "figure's mesh), .csv, .json or .mp4; with --onto in .vrm too",
      .call = "OUT [options] FILE",
-     .files = "bvh gltf glb csv json mp4",
+     .files = "bvh gltf glb vrm csv json mp4",
      .remedy = "the name must end in .bvh, .gltf, .glb, .csv, .json or .mp4",
      .read = ReadExport},
     {.name = "--check",

@@ -128,6 +128,8 @@ Result<Character> Read(std::string_view text, const std::string& name, const Rea
     clip.tracks.push_back(TrackOf(motion.value(), skeleton.value().channels.size(), of_bone));
   character.name = name;
   character.bones = std::move(skeleton.value().bones);
+  for (size_t b = 0; b < character.bones.size(); ++b)
+    character.bones[b].source.node = static_cast<int>(b);
   character.clips.push_back(std::move(clip));
   return character;
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/base/warning.h"
+#include "engine/figure/body_role.h"
 #include "engine/figure/skin.h"
 #include "engine/spatial/pose.h"
 #include "engine/spatial/types.h"
@@ -30,6 +31,13 @@ struct BoneBody {
   std::vector<Capsule> capsules;
 };
 
+// Node of the file that a bone is.
+struct BoneSource {
+  int node = -1;  // number in the file: of glTF a node's, of BVH a joint's; -1: the format has none
+  // Transforms of nodes between the bone's own and its parent's, at rest.
+  Eigen::Matrix4d above = Eigen::Matrix4d::Identity();
+};
+
 // A node of the skeleton. Parents come before their children.
 struct Bone {
   std::string name;  // unique, not empty
@@ -40,6 +48,9 @@ struct Bone {
   std::optional<Vec3> end_site;  // where the bone ends if no child says so, own frame
   bool is_joint = true;          // moved or weighted; false: only in between
   std::optional<BoneBody> body;  // not given: nobody knows
+  bool is_limb_end = false;      // hung on its limb by an import (import/detached_ends.h)
+  std::optional<BodyPlace> place;  // as the file says, such as an avatar
+  BoneSource source;
 };
 
 // How one bone moves, in its parent's frame. Each list has one entry a frame, or none: as at rest.
@@ -49,6 +60,7 @@ struct BoneTrack {
       angles;  // [rad] in the bone's rotation order, as the file has them; may be empty
   std::vector<Vec3> translations;  // origin in the parent's frame
   std::vector<Vec3> scales;
+  std::vector<Eigen::Matrix4d> above;  // instead of BoneSource::above
 };
 
 struct Clip {
@@ -56,12 +68,15 @@ struct Clip {
   double seconds_per_frame = 1.0 / 30.0;
   int num_frames = 0;
   std::vector<BoneTrack> tracks;  // by bone
+  int index = 0;                  // among the clips of the file
+  double start_s = 0.0;           // of frame 0, in the file's time
 };
 
 enum class UpAxis { kY, kZ };
 
 struct Character {
   std::string name;
+  std::string file;  // name of the file, without its folder; empty: it comes from none
   // Names that choose this character and the others of the file; empty if it is the only one.
   std::string chosen;
   std::vector<std::string> others;

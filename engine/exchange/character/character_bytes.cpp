@@ -7,7 +7,7 @@ namespace hazumi {
 namespace {
 
 constexpr uint32_t kMagic = 0x43'4d'5a'48;  // "HZMC"
-constexpr uint32_t kVersion = 2;
+constexpr uint32_t kVersion = 3;
 enum : uint8_t { kIsError = 0, kIsCharacter = 1 };
 
 class CharacterWriter : public ByteWriter {
@@ -70,6 +70,9 @@ void Visit(Archive& a, Bone& bone) {
   Maybe(a, bone.end_site);
   a.Flag(bone.is_joint);
   Visit(a, bone.body);
+  Maybe(a, bone.place);
+  a.Value(bone.source.node);
+  a.Value(bone.source.above);
 }
 
 template <typename Archive>
@@ -78,6 +81,7 @@ void Visit(Archive& a, BoneTrack& track) {
   a.Flat(track.angles);
   a.Flat(track.translations);
   a.Flat(track.scales);
+  a.Flat(track.above);
 }
 
 template <typename Archive>
@@ -85,6 +89,8 @@ void Visit(Archive& a, Clip& clip) {
   a.Text(clip.name);
   a.Value(clip.seconds_per_frame);
   a.Value(clip.num_frames);
+  a.Value(clip.index);
+  a.Value(clip.start_s);
   a.List(clip.tracks);
 }
 

@@ -80,6 +80,7 @@ class Checker {
     if (bone.end_site && !IsLength(*bone.end_site))
       Say(place, "its end is not a number of sensible size");
     if (bone.body) CheckBody(*bone.body, place);
+    if (!bone.source.above.allFinite()) Say(place, "a node above it has no place");
   }
 
   void CheckBody(const BoneBody& body, const std::string& place) {
@@ -108,10 +109,12 @@ class Checker {
   void CheckTrack(const BoneTrack& track, size_t frames, const std::string& place) {
     const auto fits = [&](size_t size) { return size == 0 || size == frames; };
     if (!fits(track.rotations.size()) || !fits(track.angles.size()) ||
-        !fits(track.translations.size()) || !fits(track.scales.size()))
+        !fits(track.translations.size()) || !fits(track.scales.size()) || !fits(track.above.size()))
       Say(place, "its track has not one entry a frame");
     for (const Eigen::Quaterniond& q : track.rotations)
       if (!(std::abs(q.norm() - 1.0) < 1e-6)) Say(place, "a rotation is not a unit quaternion");
+    for (const Eigen::Matrix4d& above : track.above)
+      if (!above.allFinite()) Say(place, "a node above it has no place");
     for (const auto* lengths : {&track.angles, &track.translations, &track.scales}) {
       for (const Vec3& v : *lengths)
         if (!IsLength(v)) Say(place, "a value is not a number of sensible size");

@@ -5,6 +5,7 @@
 
 #include "engine/base/assert.h"
 #include "engine/base/base64.h"
+#include "engine/exchange/gltf/glb_chunks.h"
 #include "engine/exchange/gltf/gltf_bodies.h"
 #include "engine/exchange/gltf/gltf_clips.h"
 #include "engine/exchange/gltf/gltf_materials.h"
@@ -187,26 +188,7 @@ class GltfWriter {
     if (!bytes.empty()) {
       json_["buffers"] = GltfJson::array({{{"byteLength", bytes.size()}}});
     }
-    bytes.resize((bytes.size() + 3) / 4 * 4);
-    std::string text = Dump(-1);
-    text.resize((text.size() + 3) / 4 * 4, ' ');
-    const size_t total = 12 + 8 + text.size() + (bytes.empty() ? 0 : 8 + bytes.size());
-    if (total > 0xffffffffu) return Wrong("", "more than the 4 GiB that a .glb can hold");
-    std::string file = "glTF";
-    AppendLong(2, &file);
-    AppendLong(total, &file);
-    AppendChunk("JSON", text, &file);
-    if (!bytes.empty()) AppendChunk(std::string_view("BIN\0", 4), bytes, &file);
-    return file;
-  }
-
-  static void AppendLong(size_t value, std::string* file) {
-    for (int shift = 0; shift < 32; shift += 8) *file += static_cast<char>(value >> shift & 0xff);
-  }
-  static void AppendChunk(std::string_view type, const std::string& data, std::string* file) {
-    AppendLong(data.size(), file);
-    *file += type;
-    *file += data;
+    return GlbFile(Dump(-1), std::move(bytes));
   }
 
   const Character& character_;

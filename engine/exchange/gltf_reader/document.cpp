@@ -2,31 +2,13 @@
 
 #include <cmath>
 #include <cstdint>
-#include <cstring>
+
+#include "engine/exchange/gltf/glb_chunks.h"
 
 namespace hazumi {
 namespace {
 
 using Json = nlohmann::json;
-constexpr uint32_t kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
-constexpr size_t kGlbHeader = 12, kChunkHeader = 8;
-
-uint32_t NumberAt(std::string_view bytes, size_t offset) {
-  uint32_t number = 0;
-  if (offset + sizeof number <= bytes.size())
-    std::memcpy(&number, bytes.data() + offset, sizeof number);
-  return number;
-}
-
-// The first chunk of a kind; empty: none.
-std::string_view Chunk(std::string_view glb, uint32_t kind) {
-  for (size_t at = kGlbHeader; at + kChunkHeader <= glb.size();) {
-    const size_t length = NumberAt(glb, at);
-    if (NumberAt(glb, at + 4) == kind) return glb.substr(at + kChunkHeader, length);
-    at += kChunkHeader + length;
-  }
-  return {};
-}
 
 // JSON may write 1 as 1.0 or 10e-1; indices are whole numbers from here on.
 void WriteWholeNumbersSo(Json* value) {
@@ -74,9 +56,9 @@ std::vector<double> Numbers(const Json& value, size_t count) {
 
 Result<GltfDocument> ParseGltf(std::string_view bytes, const std::string& file) {
   GltfDocument document;
-  const bool is_glb = bytes.starts_with("glTF");
-  std::string_view text = is_glb ? Chunk(bytes, kJsonChunk) : bytes;
-  if (is_glb) document.binary = Chunk(bytes, kBinaryChunk);
+  const bool is_glb = IsGlb(bytes);
+  std::string_view text = is_glb ? ChunkOf(bytes, GlbChunk::kJson) : bytes;
+  if (is_glb) document.binary = ChunkOf(bytes, GlbChunk::kBinary);
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   document.json = Json::parse(text, nullptr, false);
   if (!document.json.is_object())

@@ -21,6 +21,12 @@ struct GltfNodes {
 // scene. Error: there are none, or they are no trees.
 Result<GltfNodes> AddGltfNodes(const GltfDocument& document, const std::string& file, Scene* scene);
 
+// Says what nodes are in a body where the document is an avatar (VRM) that says it.
+void AddVrmPlaces(const GltfDocument& document, const GltfNodes& nodes, Scene* scene);
+
+// Warns of what looks otherwise than in the file because it is not read.
+void WarnOfNotRead(const GltfDocument& document, Scene* scene);
+
 // Adds materials and their pictures, in the document's order.
 void AddGltfMaterials(const GltfDocument& document, GltfAccessors* accessors, Scene* scene);
 

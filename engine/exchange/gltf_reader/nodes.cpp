@@ -130,6 +130,7 @@ class NodeAdder {
     made.name = Text(Member(node, "name"));
     if (made.name.empty()) made.name = "node_" + std::to_string(index);
     made.parent = parent;
+    made.number = static_cast<int>(index);
     made.local = TransformOf(node);
     made.is_view = IsView(node);
     const Json& written = Member(Member(node, "extras"), "hazumi");

@@ -46,6 +46,8 @@ Result<Scene> ReadGltf(std::string_view bytes, const std::string& file, SceneFol
   scene.metres_per_unit = 1.0;
   const Result<GltfNodes> nodes = AddGltfNodes(document.value(), file, &scene);
   if (!nodes.ok()) return nodes.error();
+  AddVrmPlaces(document.value(), nodes.value(), &scene);
+  WarnOfNotRead(document.value(), &scene);
   GltfAccessors accessors(document.value(), folder, file);
   AddGltfMaterials(document.value(), &accessors, &scene);
   for (const auto add : {AddGltfMeshes, AddGltfClips}) {

@@ -7,10 +7,12 @@
 #include "engine/base/text.h"
 #include "engine/body/shape_roles.h"
 #include "engine/exchange/character/character_check.h"
+#include "engine/exchange/import/detached_ends.h"
 #include "engine/exchange/import/figure_joints.h"
 #include "engine/exchange/import/figure_parts.h"
 #include "engine/exchange/import/import_check.h"
 #include "engine/exchange/import/import_names.h"
+#include "engine/exchange/import/import_plan.h"
 #include "engine/exchange/import/joint_plan.h"
 #include "engine/exchange/import/key_reduction.h"
 #include "engine/exchange/import/one_root.h"
@@ -61,12 +63,42 @@ ProjectRate RateOf(double fps) {
   return {std::max(1, static_cast<int>(std::round(1000.0 * fps))), 1000, {}};
 }
 
+// With ends on their limbs and with one root; none: it is so.
+std::optional<Character> Hung(const Character& character) {
+  const std::optional<Character> limbs = WithEndsOnLimbs(WantedBones(character), character);
+  const Character& whole = limbs ? *limbs : character;
+  std::optional<Character> rooted = WithOneRoot(WantedBones(whole), whole);
+  return rooted ? rooted : limbs;
+}
+
 class Importer {
  public:
   Importer(const Character& character, const ImportOptions& options)
       : character_(character), options_(options) {}
 
   Result<Imported> Import() {
+    if (Result<Done> planned = Plan(); !planned.ok()) return planned.error();
+    SayError();
+    if (auto error = SetFigure()) return *error;
+    if (options_.skin && !skin_.meshes.empty()) {
+      project_.skin.skin = std::make_shared<const Skin>(std::move(skin_));
+    }
+    project_.size_is_guessed = report_.unit_is_guessed;
+    SetSource();
+    if (auto error = WhyNoProject(project_)) return *error;
+    return Imported{std::move(project_), std::move(report_)};
+  }
+
+  Result<ImportPlan> OnlyPlan() {
+    if (Result<Done> planned = Plan(); !planned.ok()) return planned.error();
+    ImportPlan plan = {character_, std::move(skeleton_), world_, std::move(plan_), std::nullopt};
+    if (clip_) plan.clip = static_cast<size_t>(clip_ - character_.clips.data());
+    return plan;
+  }
+
+ private:
+  // What the keys say, and all that has to be known for it.
+  Result<Done> Plan() {
     Result<Skeleton> skeleton = SkeletonOf(character_);
     if (!skeleton.ok()) return skeleton.error();
     skeleton_ = std::move(skeleton).value();
@@ -81,7 +113,9 @@ class Importer {
     SayBones();
     world_ = WorldFrameOf(character_, skeleton_, clip_, options_, &report_);
     TellRolesByShape();
+    if (auto error = TakeGivenRoles()) return *error;
     if (options_.faces_forward) FaceForward(skeleton_, &report_, &world_);
+    ReportBones();
     if (auto error = WhyTooTall(world_)) return *error;
     if (auto error = CheckSize()) return *error;
     plan_ = PlanFigure(character_, skeleton_, clip_, world_, options_, &report_);
@@ -90,17 +124,9 @@ class Importer {
     SayJump();
     SetTime();
     SetKeys();
-    SayError();
-    if (auto error = SetFigure()) return *error;
-    if (options_.skin && !skin_.meshes.empty()) {
-      project_.skin.skin = std::make_shared<const Skin>(std::move(skin_));
-    }
-    project_.size_is_guessed = report_.unit_is_guessed;
-    if (auto error = WhyNoProject(project_)) return *error;
-    return Imported{std::move(project_), std::move(report_)};
+    return Done();
   }
 
- private:
   // Estimated number of hinges that have more than one key.
   static int NumMoving(const BoneTrack& track) {
     int moving = 0;
@@ -153,6 +179,63 @@ class Importer {
     for (size_t k = 0; k < bones.size(); ++k) TakeRole(bones[k].place, &skeleton_.bones[k]);
     report_.warnings.push_back(
         {RootName(), "names of bones say nothing: which is what is told by their shape"});
+  }
+
+  // In place of what was told.
+  std::optional<Error> TakeGivenRoles() {
+    for (const auto& [name, place] : options_.roles) {
+      const auto found = std::find_if(
+          skeleton_.bones.begin(), skeleton_.bones.end(), [&, &wanted = name](const KeptBone& b) {
+            return character_.bones[static_cast<size_t>(b.bone)].name == wanted;
+          });
+      if (found == skeleton_.bones.end()) {
+        return Error{ErrorCode::kSemantics, "", "roles",
+                     "no bone that becomes a joint is called " + Quoted(name)};
+      }
+      if (auto error = WhyNoPlace(name, place)) return error;
+      // Of those of which a body has one the one before gives way.
+      for (KeptBone& bone : skeleton_.bones) {
+        if (IsOneOnly(place.role) && bone.place == place) bone.place = BodyPlace();
+      }
+      TakeRole(place, &*found);
+    }
+    return std::nullopt;
+  }
+
+  static bool IsOneOnly(BodyRole role) {
+    switch (role) {
+      case BodyRole::kClavicle:
+      case BodyRole::kUpperArm:
+      case BodyRole::kForearm:
+      case BodyRole::kHand:
+      case BodyRole::kThigh:
+      case BodyRole::kShin:
+      case BodyRole::kFoot:
+      case BodyRole::kToe:
+      case BodyRole::kHips:
+      case BodyRole::kHead:
+        return true;
+      default:
+        return false;
+    }
+  }
+
+  static std::optional<Error> WhyNoPlace(const std::string& name, BodyPlace place) {
+    const bool has_sides =
+        IsOneOnly(place.role) && place.role != BodyRole::kHips && place.role != BodyRole::kHead;
+    if (!has_sides || place.side != BodySide::kMiddle) return std::nullopt;
+    return Error{ErrorCode::kSemantics, "", "roles",
+                 Quoted(name) + " is left or right: say which, as \"left " +
+                     std::string(NameOf(place.role)) + "\""};
+  }
+
+  void ReportBones() {
+    const std::vector<RestBone> rest = RestBonesOf(skeleton_, world_);
+    for (size_t k = 0; k < rest.size(); ++k) {
+      const KeptBone& bone = skeleton_.bones[k];
+      report_.bones.push_back({character_.bones[static_cast<size_t>(bone.bone)].name, bone.parent,
+                               bone.place, rest[k].X_R.p});
+    }
   }
 
   void TakeRole(BodyPlace place, KeptBone* bone) {
@@ -329,6 +412,21 @@ class Importer {
     return std::nullopt;
   }
 
+  // What it takes to read the clip again as it was read here.
+  void SetSource() {
+    ProjectSource source;
+    source.file = character_.file;
+    source.character = character_.chosen;
+    if (clip_) source.clip = clip_->name;
+    source.fps = options_.fps;
+    source.z_up = world_.up == UpAxis::kZ;
+    source.metres_per_unit = world_.metres;
+    source.reduce_deg = options_.reduce_deg;
+    source.file_hinges = options_.hinges == ImportHinges::kFile;
+    source.file_facing = !options_.faces_forward;
+    project_.source = std::move(source);
+  }
+
   void SetGround(double height) {
     ProjectPlane plane;
     plane.offset_m = height;
@@ -354,9 +452,27 @@ class Importer {
 
 }  // namespace
 
+ImportOptions OptionsOf(const ProjectSource& source) {
+  ImportOptions options;
+  options.character = source.character;
+  options.clip = source.clip;
+  options.fps = source.fps;
+  options.up = source.z_up ? UpAxis::kZ : UpAxis::kY;
+  options.metres_per_unit = source.metres_per_unit;
+  options.reduce_deg = source.reduce_deg;
+  options.hinges = source.file_hinges ? ImportHinges::kFile : ImportHinges::kBody;
+  options.faces_forward = !source.file_facing;
+  return options;
+}
+
 Result<Imported> ImportProject(const Character& character, const ImportOptions& options) {
-  const std::optional<Character> hung = WithOneRoot(WantedBones(character), character);
+  const std::optional<Character> hung = Hung(character);
   return Importer(hung ? *hung : character, options).Import();
+}
+
+Result<ImportPlan> PlanImport(const Character& character, const ImportOptions& options) {
+  const std::optional<Character> hung = Hung(character);
+  return Importer(hung ? *hung : character, options).OnlyPlan();
 }
 
 }  // namespace hazumi

@@ -9,6 +9,7 @@
 #include "engine/base/warning.h"
 #include "engine/child/reader_program.h"
 #include "engine/exchange/character/character.h"
+#include "engine/exchange/import/role_map.h"
 #include "engine/project/project.h"
 
 namespace hazumi {
@@ -40,6 +41,7 @@ struct ImportOptions {
   ImportLimits limits = ImportLimits::kClip;
   ImportHinges hinges = ImportHinges::kBody;
   bool faces_forward = true;  // turned so that it faces x at rest; else as the file has it
+  RoleMap roles;              // of bones whose role is told wrong
   bool skin = true;
 };
 
@@ -52,6 +54,17 @@ inline ReadOptions ReadOptionsFor(const ImportOptions& options) {
   return reading;
 }
 
+// The options with which a project was imported; of the file's limits and skin none is needed.
+ImportOptions OptionsOf(const ProjectSource& source);
+
+// A bone that has become a joint, or the root.
+struct ImportedBone {
+  std::string name;  // in the file
+  int parent = -1;   // among these
+  BodyPlace place;
+  Vec3 position = Vec3::Zero();  // at rest [m]
+};
+
 // Report of an import, for the person who asked for it.
 struct ImportReport {
   std::vector<std::string> facts;  // sentences: size, axes, clip, keys
@@ -62,6 +75,7 @@ struct ImportReport {
   double height_m = 0.0;          // of the figure at rest
   double position_error_m = 0.0;  // of a joint at any frame, the largest, against the file
   int num_joints = 0, num_keys = 0;
+  std::vector<ImportedBone> bones;
 };
 
 struct Imported {

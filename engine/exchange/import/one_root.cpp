@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "engine/exchange/import/bone_order.h"
+
 namespace hazumi {
 
 namespace {
@@ -37,25 +39,6 @@ BoneTrack Below(const Bone& root, const BoneTrack& roots, const Bone& branch,
     track.translations.push_back(below.p);
   }
   return track;
-}
-
-// Reorders the bones; `from` has the old index of each new one.
-void Reorder(const std::vector<int>& from, Character* character) {
-  std::vector<int> to(from.size());
-  for (size_t i = 0; i < from.size(); ++i) to[static_cast<size_t>(from[i])] = static_cast<int>(i);
-  const auto taken = [&](const auto& list) {
-    auto ordered = list;
-    for (size_t i = 0; i < from.size(); ++i) ordered[i] = list[static_cast<size_t>(from[i])];
-    return ordered;
-  };
-  character->bones = taken(character->bones);
-  for (Bone& bone : character->bones) {
-    if (bone.parent >= 0) bone.parent = to[static_cast<size_t>(bone.parent)];
-  }
-  for (Clip& clip : character->clips) clip.tracks = taken(clip.tracks);
-  for (SkinMesh& mesh : character->meshes) {
-    for (SkinMesh::Bind& bind : mesh.binds) bind.bone = to[static_cast<size_t>(bind.bone)];
-  }
 }
 
 class Branches {

@@ -14,21 +14,6 @@ const T& Of(const std::vector<T>& list, int frame, const T& otherwise) {
   return list.empty() ? otherwise : list[frame];
 }
 
-// A = R stretch, the stretch symmetric: the polar decomposition of what stretches parts of it make.
-BonePose Below(const BonePose& parent, const Mat3& R, const Vec3& p, const Vec3& scale) {
-  const Vec3 place = parent.At(p);
-  if (parent.is_even()) {
-    const double all = parent.stretch(0, 0);
-    return {parent.R * R, place, (all * scale).asDiagonal().toDenseMatrix()};
-  }
-  const Mat3 A = parent.stretch * R * scale.asDiagonal();
-  const Eigen::JacobiSVD<Mat3> svd(A, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const Mat3 turn = svd.matrixU() * svd.matrixV().transpose();
-  // A scale that mirrors stays in the stretch.
-  const Mat3 proper = turn.determinant() < 0.0 ? Mat3(-turn) : turn;
-  return {parent.R * proper, place, proper.transpose() * A};
-}
-
 std::vector<char> Weighted(const Character& character) {
   std::vector<char> weighted(character.bones.size(), 0);
   for (const SkinMesh& mesh : character.meshes) {
@@ -108,20 +93,47 @@ int LowestCommon(const Character& character, const std::vector<char>& wanted,
   return root;
 }
 
+// What the file itself says of its bones goes before names. Returns whether it says anything.
+bool TakeStated(const Character& character, const std::vector<KeptBone>& kept, BoneRoles* roles) {
+  const auto stated = [&](size_t k) {
+    return character.bones[static_cast<size_t>(kept[k].bone)].place;
+  };
+  bool is_stated = false;
+  for (size_t k = 0; k < kept.size(); ++k) is_stated |= stated(k).has_value();
+  for (size_t k = 0; k < kept.size() && is_stated; ++k) {
+    const BodyRole told = roles->places[k].role;
+    const bool is_beside = told >= BodyRole::kTail || told == BodyRole::kNone;
+    if (stated(k) || !is_beside) roles->places[k] = stated(k).value_or(BodyPlace());
+  }
+  return is_stated;
+}
+
+// What hangs on a shin is a foot, on a forearm a hand.
+void NameEnd(BodyPlace limb, KeptBone* end) {
+  const bool is_leg = limb.role == BodyRole::kShin;
+  if (!is_leg && limb.role != BodyRole::kForearm) return;
+  end->place = {is_leg ? BodyRole::kFoot : BodyRole::kHand, limb.side};
+  end->body = {PartOf(end->place.role), limb.side};
+}
+
 void NameBones(const Character& character, Skeleton* skeleton) {
   std::vector<KeptBone>* kept = &skeleton->bones;
   std::vector<NamedBone> named;
   for (const KeptBone& bone : *kept)
     named.push_back({character.bones[bone.bone].name, bone.parent});
   const std::vector<BodyName> bones = BonesInBody(named);
-  const BoneRoles roles = RolesByName(named);
-  skeleton->has_four_legs = roles.has_four_legs;
-  const bool is_body = IsBody(bones) && !roles.has_four_legs;  // the table is of people
+  BoneRoles roles = RolesByName(named);
+  const bool is_stated = TakeStated(character, *kept, &roles);
+  skeleton->has_four_legs = roles.has_four_legs && !is_stated;
+  const bool is_body =
+      (IsBody(bones) || is_stated) && !skeleton->has_four_legs;  // the table is of people
   for (size_t k = 0; k < bones.size(); ++k) {
     KeptBone& bone = (*kept)[k];
     bone.body = bones[k];
     bone.place = roles.places[k];
-    if (is_body) bone.segment = SegmentOf(bones[k].part);
+    if (character.bones[bone.bone].place) bone.body = {PartOf(bone.place.role), bone.place.side};
+    if (character.bones[bone.bone].is_limb_end) NameEnd((*kept)[bone.parent].place, &bone);
+    if (is_body) bone.segment = SegmentOf(bone.body.part);
     const bool is_part = bone.segment != BodySegment::kNone || !is_body;
     if (is_part) continue;  // what names nothing belongs to what it hangs on
     bone.segment = bone.parent < 0 ? BodySegment::kTrunk : (*kept)[bone.parent].segment;
@@ -138,6 +150,21 @@ bool BonePose::is_even() const {
          axes.maxCoeff() - axes.minCoeff() <= 1e-9 * axes.cwiseAbs().maxCoeff();
 }
 
+// A = R stretch, the stretch symmetric: the polar decomposition of what stretches parts of it make.
+BonePose BelowPose(const BonePose& parent, const Mat3& R, const Vec3& p, const Vec3& scale) {
+  const Vec3 place = parent.At(p);
+  if (parent.is_even()) {
+    const double all = parent.stretch(0, 0);
+    return {parent.R * R, place, (all * scale).asDiagonal().toDenseMatrix()};
+  }
+  const Mat3 A = parent.stretch * R * scale.asDiagonal();
+  const Eigen::JacobiSVD<Mat3> svd(A, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Mat3 turn = svd.matrixU() * svd.matrixV().transpose();
+  // A scale that mirrors stays in the stretch.
+  const Mat3 proper = turn.determinant() < 0.0 ? Mat3(-turn) : turn;
+  return {parent.R * proper, place, proper.transpose() * A};
+}
+
 std::vector<BonePose> PosesAt(const Character& character, const Clip* clip, int frame) {
   static const BoneTrack kStill;
   std::vector<BonePose> poses(character.bones.size());
@@ -147,8 +174,8 @@ std::vector<BonePose> PosesAt(const Character& character, const Clip* clip, int 
     const Mat3 R =
         track.rotations.empty() ? bone.rest.R : track.rotations[frame].toRotationMatrix();
     const BonePose parent = bone.parent < 0 ? BonePose() : poses[bone.parent];
-    poses[b] = Below(parent, R, Of(track.translations, frame, bone.rest.p),
-                     Of(track.scales, frame, bone.rest_scale));
+    poses[b] = BelowPose(parent, R, Of(track.translations, frame, bone.rest.p),
+                         Of(track.scales, frame, bone.rest_scale));
   }
   return poses;
 }

@@ -26,6 +26,9 @@ struct BonePose {
   bool is_even() const;  // stretched alike along all axes
 };
 
+// A bone on its parent: turned, placed and scaled in its frame.
+BonePose BelowPose(const BonePose& parent, const Mat3& R, const Vec3& p, const Vec3& scale);
+
 // Of all bones at a frame; without a clip, at rest.
 std::vector<BonePose> PosesAt(const Character& character, const Clip* clip, int frame);
 

@@ -70,21 +70,30 @@ Eigen::Matrix4d ClipSampler::NodeAt(int node, double t, double slack) const {
 MatrixParts ClipSampler::ChainAt(const std::vector<int>& chain, double t, double slack) const {
   if (chain.size() == 1)
     return PartsAt(chain[0], motion_[static_cast<size_t>(chain[0])]->At(t, slack));
+  return Decompose(ProductAt(chain, t, slack));
+}
+
+Eigen::Matrix4d ClipSampler::ProductAt(const std::vector<int>& nodes, double t,
+                                       double slack) const {
   Eigen::Matrix4d product = Eigen::Matrix4d::Identity();
-  for (const int node : chain) product = product * NodeAt(node, t, slack);
-  return Decompose(product);
+  for (const int node : nodes) product = product * NodeAt(node, t, slack);
+  return product;
 }
 
 BoneTrack ClipSampler::SampleBone(size_t bone, const Times& times) const {
   const std::vector<int> chain = ActiveChain(bone);
   BoneTrack track;
   if (!IsMoved(chain)) return track;
+  const std::vector<int> above(chain.begin(), chain.end() - 1);
+  const bool is_moved_above = IsMoved(above);
   const Bone& rest = skeleton_.bones[bone];
   const Eigen::Quaterniond rest_rotation(rest.rest.R);
   double angle = 0.0, length = 0.0, scale = 0.0;
   Eigen::Quaterniond previous = rest_rotation;
   for (int frame = 0; frame < times.count; ++frame) {
-    const MatrixParts parts = ChainAt(chain, times.start + frame * times.step, times.slack);
+    const double t = times.start + frame * times.step;
+    const MatrixParts parts = ChainAt(chain, t, times.slack);
+    if (is_moved_above) track.above.push_back(ProductAt(above, t, times.slack));
     Eigen::Quaterniond q(parts.X.R);
     q.normalize();
     if (q.dot(previous) < 0.0) q.coeffs() = -q.coeffs();  // the shorter way from frame to frame

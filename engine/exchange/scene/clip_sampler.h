@@ -24,6 +24,7 @@ class ClipSampler {
   // The nodes of a bone's chain that make its transform in this animation.
   std::vector<int> ActiveChain(size_t bone) const;
   bool IsMoved(const std::vector<int>& chain) const;
+  Eigen::Matrix4d ProductAt(const std::vector<int>& nodes, double t, double slack) const;
   MatrixParts ChainAt(const std::vector<int>& chain, double t, double slack) const;
   Eigen::Matrix4d NodeAt(int node, double t, double slack) const;
   MatrixParts PartsAt(int node, const NodeValue& value) const;

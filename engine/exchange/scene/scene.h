@@ -21,11 +21,13 @@ namespace hazumi {
 struct SceneNode {
   std::string name;                                     // as written: may be empty, or another's
   int parent = -1;                                      // -1: the root
+  int number = -1;                                      // in the file; -1: its format has none
   Eigen::Matrix4d local = Eigen::Matrix4d::Identity();  // at rest, in the parent's frame
   std::vector<int> meshes;                              // that hang on it, or whose skin does
-  bool is_helper = false;        // a part of the transform of the node below it, its first child
-  bool is_view = false;          // a camera or a light, on which nothing hangs
-  std::optional<BoneBody> body;  // what Hazumi itself has written of it
+  bool is_helper = false;          // a part of the transform of the node below it, its first child
+  bool is_view = false;            // a camera or a light, on which nothing hangs
+  std::optional<BoneBody> body;    // what Hazumi itself has written of it
+  std::optional<BodyPlace> place;  // as the file says
 };
 
 // Triangles with one material. What `binds` move is a skin, which lies where its bones are, not

@@ -52,6 +52,8 @@ class ClipReader {
     std::vector<double> times = KeyTimes(sampler.motions());
     if (times.empty()) times = {0.0};  // a pose
     if (Result<Done> timed = Time(from.likely_rate, times, &clip); !timed.ok()) return timed;
+    clip.index = static_cast<int>(index);
+    clip.start_s = times.front();
     clip.tracks = sampler.Sample(times.front(), clip.seconds_per_frame, clip.num_frames);
     clips->push_back(std::move(clip));
     return Done{};

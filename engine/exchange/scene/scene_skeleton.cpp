@@ -52,8 +52,12 @@ class Builder {
     bone.parent = above < 0 ? -1 : skeleton_.bone_of_node[static_cast<size_t>(above)];
     bone.name = UniqueName(tree_.node(node).name);
     bone.body = tree_.node(node).body;
-    Eigen::Matrix4d rest = Eigen::Matrix4d::Identity();
-    for (const int i : chain) rest = rest * tree_.node(i).local;
+    bone.place = tree_.node(node).place;
+    bone.source.node = tree_.node(node).number;
+    for (const int i : chain) {
+      if (i != node) bone.source.above = bone.source.above * tree_.node(i).local;
+    }
+    const Eigen::Matrix4d rest = bone.source.above * tree_.node(node).local;
     const MatrixParts parts = Decompose(rest);
     bone.rest = parts.X;
     bone.rest_scale = parts.scale;

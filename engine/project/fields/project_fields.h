@@ -200,6 +200,34 @@ void Describe(Ar& ar, Ref<Ar, ProjectSelectionSet> set) {
 }
 
 template <>
+inline constexpr StructInfo kStructInfo<ProjectSource> = {
+    "source", "Where figure and keys were imported from; changed keys can be put back there."};
+template <typename Ar>
+void Describe(Ar& ar, Ref<Ar, ProjectSource> source) {
+  ar.Required(
+      {.name = "file", .details = "Its name, without a folder. It is never opened unasked."},
+      source.file);
+  ar.Optional({.name = "character", .details = "Which of several."}, source.character);
+  ar.Optional({.name = "clip", .details = "Which of its clips the keys come from."}, source.clip);
+  ar.Optional({.name = "fps",
+               .details = "Frames per second at which it was read; default: its own.",
+               .range = kPositive},
+              source.fps);
+  ar.Optional({.name = "z_up", .details = "Of its axes z is up, else y."}, source.z_up);
+  ar.Required({.name = "metres_per_unit", .details = "Its unit of length.", .range = kPositive},
+              source.metres_per_unit);
+  ar.Optional({.name = "reduce_deg",
+               .details = "Keys are as few as keep angles so near; default: one a frame.",
+               .range = kPositive},
+              source.reduce_deg);
+  ar.Optional(
+      {.name = "file_hinges", .details = "Parts of a body turn about the file's axes, too."},
+      source.file_hinges);
+  ar.Optional({.name = "file_facing", .details = "It was not turned so that it faces x at rest."},
+              source.file_facing);
+}
+
+template <>
 inline constexpr StructInfo kStructInfo<Project> = {
     "project",
     "Keys, dynamics regions, placements and the solver they were made for. Metres, degrees, "
@@ -220,6 +248,7 @@ void Describe(Ar& ar, Ref<Ar, Project> project) {
                .details = "The figure comes from a file that states no unit of length: its size "
                           "is a guess."},
               project.size_is_guessed);
+  ar.Optional({"source"}, project.source);
   ar.Stated({"scene"}, project.scene);
   ar.Optional({"root"}, project.root);
   ar.Map({.name = "joints",

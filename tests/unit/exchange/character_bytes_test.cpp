@@ -21,6 +21,8 @@ Character Sample() {
   c.bones[1].rest_scale = {1.0, 2.0, 1.0};
   c.bones[1].end_site = Vec3(0.0, -0.4, 0.0);
   c.bones[1].is_joint = false;
+  c.bones[1].source.node = 7;
+  c.bones[1].source.above(0, 3) = 2.0;
   Clip clip;
   clip.name = "walk";
   clip.seconds_per_frame = 1.0 / 24.0;
@@ -30,6 +32,9 @@ Character Sample() {
   clip.tracks[0].angles = {Vec3(1, 2, 3), Vec3(4, 5, 6)};
   clip.tracks[0].translations = {Vec3(0, 1, 0), Vec3(0, 2, 0)};
   clip.tracks[1].scales = {Vec3(1, 1, 1), Vec3(1, 1, 2)};
+  clip.tracks[1].above.assign(2, Eigen::Matrix4d::Identity() * 3.0);
+  clip.index = 4;
+  clip.start_s = 0.5;
   c.clips = {clip};
   SkinMesh mesh;
   mesh.name = "body";

@@ -2,6 +2,7 @@
 
 #include "engine/base/atomic_file.h"
 #include "engine/base/text.h"
+#include "engine/exchange/onto/export_onto.h"
 #include "ui/edit/operators/edits.h"
 #include "ui/edit/operators/foreign_files.h"
 
@@ -11,8 +12,9 @@ namespace {
 
 using enum ParameterKind;
 
-Result<MotionFormat> FormatOf(const std::string& path) {
+Result<MotionFormat> FormatOf(const std::string& path, bool is_onto) {
   if (const auto format = MotionFormatOf(path)) return *format;
+  if (is_onto && CanBeOnto(path)) return MotionFormat::kGlb;
   if (LowerCase(path).ends_with(".mp4")) {
     return Refusal("path",
                    "videos are made by File > Export in the editor, or by "
@@ -60,6 +62,19 @@ Result<Done> TakeSkin(const Parameters& p, ExportSettings* settings) {
   return Done();
 }
 
+// What is put into another file is as it is there.
+Result<Done> TakeOnto(const Parameters& p, ExportSettings* settings) {
+  settings->onto = p.text("onto");
+  settings->path = p.text("path");
+  if (settings->onto.empty()) return Done();
+  for (const char* name : {"up", "unit", "skin", "torques"}) {
+    if (p.has(name))
+      return Refusal(name, "is as in the file that the motion is put into; leave it out");
+  }
+  if (CanBeOnto(settings->onto)) return Done();
+  return Refusal("onto", "\"" + settings->onto + "\" ends in none of .glb, .gltf, .vrm, .bvh");
+}
+
 Result<Done> TakeTorques(const Parameters& p, ExportSettings* settings) {
   settings->torques = p.yes("torques");
   if (!settings->torques || HasTorques(settings->format)) return Done();
@@ -67,12 +82,12 @@ Result<Done> TakeTorques(const Parameters& p, ExportSettings* settings) {
 }
 
 Result<ExportSettings> SettingsFrom(const Session& session, const Parameters& p) {
-  const Result<MotionFormat> format = FormatOf(p.text("path"));
+  const Result<MotionFormat> format = FormatOf(p.text("path"), p.has("onto"));
   if (!format.ok()) return format.error();
   ExportSettings settings = UsualSettings(session, format.value());
   for (const Result<Done>& taken :
        {TakeFrames(p, session.project().frames, &settings), TakeAxes(p, &settings),
-        TakeSkin(p, &settings), TakeTorques(p, &settings)}) {
+        TakeSkin(p, &settings), TakeTorques(p, &settings), TakeOnto(p, &settings)}) {
     if (!taken.ok()) return taken.error();
   }
   return settings;
@@ -105,6 +120,9 @@ std::vector<Operator> ExportOperators() {
         {"skin", kText, false,
          "of .gltf and .glb: the character's meshes, or else capsules, or none",
          "character capsules none"},
+        {"onto", kText, false,
+         "of .glb, .gltf, .vrm and .bvh: the file that the figure was imported from, to be "
+         "written with its changed bones"},
         {"torques", kYesNo, false,
          "of .json and .csv: also the torque that every joint needs, and the force that nothing "
          "supplies"}},

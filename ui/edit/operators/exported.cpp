@@ -44,8 +44,8 @@ Result<ExportSource> ExportSourceOf(Session* session) {
   const Result<const Motion*> motion = session->WholeMotion();
   if (!motion.ok()) return motion.error();
   const Project& project = session->project();
-  return ExportSource{*session->animation(), *motion.value(), project.skin, session->capsules(),
-                      project.name};
+  return ExportSource{*session->animation(), *motion.value(), project.skin,
+                      session->capsules(),   project.name,    project.source};
 }
 
 ExportSettings UsualSettings(const Session& session, MotionFormat format) {
@@ -70,7 +70,21 @@ static Result<Motion> WithAccelerations(const ExportSource& source) {
   return motion;
 }
 
+Result<OntoFile> OntoFileOf(const ExportSource& source, const ExportSettings& settings) {
+  OntoOptions options;
+  options.source = settings.onto;
+  options.output = settings.path;
+  if (source.imported_from) options.how = OptionsOf(*source.imported_from);
+  return ExportOnto(source.animation, PartOf(source.motion, settings.first, settings.last),
+                    options);
+}
+
 Result<std::string> BytesOf(const ExportSource& source, const ExportSettings& settings) {
+  if (!settings.onto.empty()) {
+    Result<OntoFile> file = OntoFileOf(source, settings);
+    if (!file.ok()) return file.error();
+    return std::move(file.value().bytes);
+  }
   MotionExportOptions options;
   options.format = settings.format;
   if (!source.name.empty()) options.name = source.name;

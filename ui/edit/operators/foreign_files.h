@@ -7,6 +7,7 @@
 
 #include "engine/exchange/export_motion.h"
 #include "engine/exchange/import/import_project.h"
+#include "engine/exchange/onto/export_onto.h"
 #include "engine/project/project_figure.h"
 #include "ui/edit/session/session.h"
 
@@ -24,6 +25,9 @@ struct ExportSettings {
   double metres_per_unit = 0.01;
   ExportSkin skin = ExportSkin::kNone;  // of glTF
   bool torques = false;                 // of JSON and CSV
+  // The file to put the motion into, and where the file made of it is to be written; empty: none,
+  // the motion is written by itself.
+  std::string onto = {}, path = {};
   bool operator==(const ExportSettings&) const = default;
 };
 
@@ -34,11 +38,15 @@ struct ExportSource {
   ProjectSkin character;
   SkinMaker capsules;
   std::string name;  // of the clip
+  std::optional<ProjectSource> imported_from;
 };
 // Bakes what has to be. Errors: those of Session::WholeMotion.
 Result<ExportSource> ExportSourceOf(Session* session);
 // All frames, and of the skins that there are the one that shows most.
 ExportSettings UsualSettings(const Session& session, MotionFormat format);
+
+// The file of `settings.onto` with the motion put into it. Errors: those of ExportOnto.
+Result<OntoFile> OntoFileOf(const ExportSource& source, const ExportSettings& settings);
 
 // The bytes of the file. Errors: a skin that is not there (kSchema), and those of ExportMotion.
 Result<std::string> BytesOf(const ExportSource& source, const ExportSettings& settings);

@@ -39,6 +39,11 @@ Result<ImportOptions> OptionsFrom(const Parameters& p) {
   options.hinges = hinges == "body" ? ImportHinges::kBody : ImportHinges::kFile;
   options.faces_forward = p.yes("faces_forward", true);
   options.skin = p.yes("skin", true);
+  if (p.has("roles")) {
+    Result<RoleMap> roles = ReadRoles(p.text("roles"));
+    if (!roles.ok()) return roles.error();
+    options.roles = std::move(roles).value();
+  }
   for (const auto& [name, field] : {std::pair{"unit", &options.metres_per_unit},
                                     {"height", &options.height_m},
                                     {"mass", &options.mass_kg},
@@ -90,6 +95,7 @@ std::vector<Operator> ImportOperators() {
         {"limits", kText, false, "clip: as far as people go, or a little beyond the clip; none",
          "clip none"},
         {"hinges", kText, false, "body: about a body's axes; file: about the file's", "body file"},
+        {"roles", kText, false, "a file with roles of bones whose names and shape tell them wrong"},
         {"faces_forward", kYesNo, false, "false: turned as the file has it", kOnUnlessGiven},
         {"skin", kYesNo, false, "false: without its meshes", kOnUnlessGiven}},
        Import}};

@@ -37,6 +37,7 @@ void OpenFileDialog(Editor* editor, const FilePurpose& purpose, Then then = null
 void OpenFolderDialog(Editor* editor);
 // The same for the export dialog's file.
 void OpenExportFileDialog(Editor* editor);
+void OpenOntoFileDialog(Editor* editor);
 void LeaveFileDialog(Editor* editor);
 void GoToFolder(const std::string& folder, Editor* editor);
 void ReadFolder(Editor* editor);

@@ -49,21 +49,29 @@ void DrawFormat(Editor* editor) {
   ImGui::EndCombo();
 }
 
+// A field with a file's name, and a button that chooses one. True once a name was typed.
+bool DrawFileField(const char* id, Editor* editor, std::string* path, void (*choose)(Editor*)) {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const char* label = Tr("Choose...");
+  const float button = ImGui::CalcTextSize(label).x + 2.0f * style.FramePadding.x;
+  ImGui::PushID(id);
+  ImGui::SetNextItemWidth(-(button + style.ItemSpacing.x));
+  if (ImGui::InputText("##file", path)) {
+    editor->NeedGlyphs(*path);
+    editor->dialogs.exporting.error.clear();
+  }
+  const bool is_typed = ImGui::IsItemDeactivatedAfterEdit();
+  Tooltip(*path);
+  ImGui::SameLine();
+  if (ImGui::Button(label)) choose(editor);
+  ImGui::PopID();
+  return is_typed;
+}
+
 void DrawFile(Editor* editor) {
   ExportState& state = editor->dialogs.exporting;
   DrawFieldLabel(Tr("File"), *editor);
-  const ImGuiStyle& style = ImGui::GetStyle();
-  const char* choose = Tr("Choose...");
-  const float button = ImGui::CalcTextSize(choose).x + 2.0f * style.FramePadding.x;
-  ImGui::SetNextItemWidth(-(button + style.ItemSpacing.x));
-  if (ImGui::InputText("##file", &state.path)) {
-    editor->NeedGlyphs(state.path);
-    state.error.clear();
-  }
-  if (ImGui::IsItemDeactivatedAfterEdit()) TakeTypedPath(&state);
-  Tooltip(state.path);
-  ImGui::SameLine();
-  if (ImGui::Button(choose)) OpenExportFileDialog(editor);
+  if (DrawFileField("written", editor, &state.path, OpenExportFileDialog)) TakeTypedPath(&state);
 }
 
 std::string RangeText(const char* label, const ProjectFrames& frames) {
@@ -142,6 +150,21 @@ void DrawSkin(Editor* editor) {
   DrawChoice(Tr("none##skin"), Tr("The skeleton alone"), ExportSkin::kNone, &skin);
 }
 
+// True if the motion is put into the file that the figure came from: what else there is to choose
+// is as it is there.
+bool DrawOnto(Editor* editor) {
+  if (!MayBeOnto(*editor)) return false;
+  ExportState& state = editor->dialogs.exporting;
+  DrawFieldLabel(Tr("Into"), *editor);
+  if (ImGui::Checkbox(Tr("the file it was imported from"), &state.is_onto) && state.is_onto)
+    TakeOnto(&state);
+  Tooltip(Tr("That file with the bones that have changed; all else stays as it is there"));
+  if (!state.is_onto) return false;
+  DrawFieldLabel(Tr("Imported from"), *editor);
+  if (DrawFileField("onto", editor, &state.onto, OpenOntoFileDialog)) TakeOnto(&state);
+  return true;
+}
+
 void DrawOptions(Editor* editor) {
   ExportState& state = editor->dialogs.exporting;
   DrawFormat(editor);
@@ -150,6 +173,8 @@ void DrawOptions(Editor* editor) {
   if (state.is_video) {
     DrawSizeFields(*editor, &state.width, &state.height);
     DrawViewFields(*editor, &state.through_project_camera, &state.overlays);
+  } else if (DrawOnto(editor)) {
+    return;
   } else if (state.settings.format == MotionFormat::kBvh) {
     DrawBvh(editor);
   } else if (HasMeshes(state)) {

@@ -48,6 +48,26 @@ void RefreshSource(Editor* editor) {
   state.source_state = StateNow(*editor);
 }
 
+Result<ExportedFile> ExportedOnto(const edit::ExportSource& source,
+                                  const edit::ExportSettings& settings) {
+  Result<OntoFile> file = edit::OntoFileOf(source, settings);
+  if (!file.ok()) return file.error();
+  ExportSummary summary;
+  summary.num_bytes = file.value().bytes.size();
+  summary.joints = static_cast<int>(file.value().bones.size());
+  for (const std::string& bone : file.value().bones) summary.head += bone + "\n";
+  return ExportedFile{std::move(file.value().bytes), std::move(summary)};
+}
+
+// The file that the figure was imported from: as it was, or beside the project's file.
+std::string FirstOnto(const Editor& editor) {
+  const std::optional<ProjectSource>& source = editor.session().project().source;
+  if (!source) return "";
+  const auto& [document, path] = editor.dialogs.imported;
+  if (document == editor.session().document_number() && !path.empty()) return path;
+  return (fs::path(FirstPath(editor)).parent_path() / source->file).string();
+}
+
 void StartPreview(Editor* editor) {
   ExportState& state = editor->dialogs.exporting;
   const bool is_busy = state.preview && !state.preview->result();
@@ -55,6 +75,7 @@ void StartPreview(Editor* editor) {
   state.previewed = ExportSettingsOf(*editor);
   state.previewed_source = state.source;
   const auto make = [source = state.source, settings = state.previewed]() -> Result<ExportedFile> {
+    if (!settings.onto.empty()) return ExportedOnto(*source, settings);
     Result<std::string> bytes = edit::BytesOf(*source, settings);
     if (!bytes.ok()) return bytes.error();
     ExportSummary summary = SummaryOf(settings.format, bytes.value());
@@ -154,11 +175,37 @@ edit::ExportSettings ExportSettingsOf(const Editor& editor) {
   const bool is_own = state.range == ExportRange::kFromTo;
   settings.first = is_own ? state.first : std::max(frames.first, project.frames.first);
   settings.last = is_own ? state.last : std::min(frames.last, project.frames.last);
+  if (IsOnto(editor)) {
+    settings.onto = PathOf(HomeFolder(), state.onto, HomeFolder());
+    settings.path = ExportPath(state);
+  }
   return settings;
 }
 
-const char* SuffixOf(const ExportState& state) {
+bool MayBeOnto(const Editor& editor) {
+  const ExportState& state = editor.dialogs.exporting;
+  return editor.session().project().source && !state.is_video &&
+         CanBeOnto("name" + SuffixOf(state));
+}
+
+bool IsOnto(const Editor& editor) { return editor.dialogs.exporting.is_onto && MayBeOnto(editor); }
+
+void TakeOnto(ExportState* state) {
+  if (!CanBeOnto(state->onto)) return;
+  fs::path path = state->path;
+  path.replace_extension(fs::path(state->onto).extension());
+  // The file itself is kept.
+  if (path == state->onto)
+    path.replace_filename(path.stem().string() + "_new" + path.extension().string());
+  state->path = path.string();
+  state->settings.format = MotionFormatOf(state->onto).value_or(MotionFormat::kGlb);
+  state->error.clear();
+}
+
+std::string SuffixOf(const ExportState& state) {
   if (state.is_video) return ".mp4";
+  if (state.is_onto && CanBeOnto(state.onto))
+    return LowerCase(fs::path(state.onto).extension().string());
   switch (state.settings.format) {
     case MotionFormat::kBvh:
       return ".bvh";
@@ -190,6 +237,7 @@ void ChooseFormat(std::optional<MotionFormat> format, ExportState* state) {
   if (has_suffix) path.replace_extension();
   state->is_video = !format;
   if (format) state->settings.format = *format;
+  if (!format || format != MotionFormatOf(state->onto)) state->is_onto = false;
   state->path = path.empty() ? "" : path.string() + SuffixOf(*state);
   state->error.clear();
 }
@@ -232,6 +280,8 @@ void OpenExportDialog(Editor* editor) {
     state.path = FirstPath(*editor) + SuffixOf(state);
     state.through_project_camera = editor->viewport.through_project_camera;
     state.document = document;
+    state.is_onto = false;
+    state.onto = FirstOnto(*editor);
     state.source.reset();
   }
   editor->NeedGlyphs(state.path);

@@ -28,6 +28,8 @@ struct ExportState {
   ExportRange range = ExportRange::kAll;
   int first = 0, last = 0;  // of kFromTo
   std::string path;
+  bool is_onto = false;  // into the file that the figure was imported from, `onto`
+  std::string onto;
   int width = 1280, height = 720;  // of videos [px], as is what follows
   bool through_project_camera = false;
   bool overlays = false;
@@ -56,11 +58,16 @@ struct ExportState {
 edit::ExportSettings ExportSettingsOf(const Editor& editor);
 // The file that is written: the typed path with the format's suffix.
 std::string ExportPath(const ExportState& state);
-const char* SuffixOf(const ExportState& state);
+std::string SuffixOf(const ExportState& state);
 // Chooses a format; the path follows it. None: MP4.
 void ChooseFormat(std::optional<MotionFormat> format, ExportState* state);
 // A suffix that was typed chooses the format; one that is missing is put there.
 void TakeTypedPath(ExportState* state);
+// Whether the motion can be put into a file, and shall be.
+bool MayBeOnto(const Editor& editor);
+bool IsOnto(const Editor& editor);
+// A file to put the motion into was named: what is written is of its format.
+void TakeOnto(ExportState* state);
 // "MotionFormat::kGlb" etc. have meshes.
 bool HasMeshes(const ExportState& state);
 

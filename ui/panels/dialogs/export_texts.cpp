@@ -90,6 +90,11 @@ std::vector<std::string> ExportFacts(const Editor& editor, const ExportSummary* 
                              : Tr("H.264 without sound, made by the program ffmpeg")};
   }
   if (!summary) return {};
+  if (IsOnto(editor)) {
+    if (summary->joints == 0) return {Tr("No bone has changed: the file is as it was.")};
+    return {Count(summary->joints, Tr("1 bone has changed"), Tr("%d bones have changed")) +
+            Tr(", ") + SizeText(summary->num_bytes)};
+  }
   std::vector<std::string> facts = {MotionLine(editor, *summary)};
   AddOfFormat(ExportSettingsOf(editor), *summary, &facts);
   return facts;
@@ -103,7 +108,7 @@ std::vector<std::string> LeftOut(const Editor& editor, const ExportSummary* summ
   const int num_frames = project.frames.last - project.frames.first;
   const int rest = num_frames - (settings.last - settings.first);
   if (rest > 0) left_out.push_back(Count(rest, Tr("1 frame"), Tr("%d frames")));
-  if (state.is_video || !summary) return left_out;
+  if (state.is_video || !summary || IsOnto(editor)) return left_out;
   const int regions = static_cast<int>(project.regions.size());
   if (regions > 0 && !HasRegions(settings.format)) {
     left_out.push_back(Count(regions, Tr("1 region"), Tr("%d regions")));

@@ -95,6 +95,11 @@ void OpenExportFileDialog(Editor* editor) {
   OpenFileDialogIn(NearestFolder(ParentOf(path)), NameIn(path), kChooseExport, nullptr, editor);
 }
 
+void OpenOntoFileDialog(Editor* editor) {
+  const std::string path = PathOf(HomeFolder(), editor->dialogs.exporting.onto, HomeFolder());
+  OpenFileDialogIn(NearestFolder(ParentOf(path)), NameIn(path), kChooseOnto, nullptr, editor);
+}
+
 void LeaveFileDialog(Editor* editor) {
   const Modal back = editor->dialogs.files.purpose->back;
   back == Modal::kNone ? Close(editor) : Open(back, editor);

@@ -87,6 +87,14 @@ void TakeExport(Editor* editor) {
   Open(Modal::kExport, editor);
 }
 
+void TakeOntoFile(Editor* editor) {
+  editor->dialogs.exporting.onto = ChosenPath(editor->dialogs.files);
+  TakeOnto(&editor->dialogs.exporting);
+  Open(Modal::kExport, editor);
+}
+
+bool IsOntoFile(const std::string& path) { return CanBeOnto(path); }
+
 }  // namespace
 
 const FilePurpose kOpenProject = {.title = "Open project",
@@ -150,11 +158,18 @@ const FilePurpose kChooseExport = {.title = "Export",
                                    .take = TakeExport,
                                    .writes = true,
                                    .back = Modal::kExport};
+const FilePurpose kChooseOnto = {.title = "Imported from",
+                                 .nothing = "There is no such file in this folder.",
+                                 .button = "Choose",
+                                 .button_help = "The motion is put into a copy of this file.",
+                                 .wanted = IsOntoFile,
+                                 .take = TakeOntoFile,
+                                 .back = Modal::kExport};
 
 const std::vector<const FilePurpose*>& AllFilePurposes() {
   static const std::vector<const FilePurpose*> all = {
-      &kOpenProject, &kSaveProject, &kImportCharacter, &kChooseSound, &kChooseReference,
-      &kChooseMesh,  &kChooseSweep, &kChooseFolder,    &kChooseExport};
+      &kOpenProject, &kSaveProject, &kImportCharacter, &kChooseSound,  &kChooseReference,
+      &kChooseMesh,  &kChooseSweep, &kChooseFolder,    &kChooseExport, &kChooseOnto};
   return all;
 }
 

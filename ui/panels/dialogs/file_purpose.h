@@ -23,7 +23,7 @@ struct FilePurpose {
 };
 
 extern const FilePurpose kOpenProject, kSaveProject, kImportCharacter, kChooseSound,
-    kChooseReference, kChooseMesh, kChooseSweep, kChooseFolder, kChooseExport;
+    kChooseReference, kChooseMesh, kChooseSweep, kChooseFolder, kChooseExport, kChooseOnto;
 const std::vector<const FilePurpose*>& AllFilePurposes();
 
 }  // namespace hazumi::ui

@@ -126,7 +126,8 @@ bool DrawOptions(Editor* editor, const Character& character) {
   is_changed |= DrawMaybe(*editor, "##mass", Tr("Mass (kg)"), "%.1f",
                           Tr("Of all of it; 0: of a person so tall"), &state.mass_kg);
   is_changed |= DrawKeys(*editor, &state);
-  return DrawRest(*editor, character, &state.options) || is_changed;
+  is_changed |= DrawRest(*editor, character, &state.options);
+  return DrawRoles(*editor, &state) || is_changed;
 }
 
 void DrawReport(const Editor& editor, const Result<Imported>& imported) {

@@ -36,6 +36,8 @@ static void ReadAgain(ImportState* state) {
 void ChooseCharacter(const std::string& name, ImportState* state) {
   state->options.character = name;
   state->options.clip.clear();
+  state->options.roles.clear();
+  state->bone = -1;
   ReadAgain(state);
 }
 
@@ -77,6 +79,7 @@ void FinishImport(Editor* editor) {
   ImportState& state = editor->dialogs.import;
   if (!state.imported || !state.imported->ok()) return;
   edit::TakeImported(std::move(*state.imported).value(), &editor->session());
+  editor->dialogs.imported = {editor->session().document_number(), state.job->path()};
   state = {};
   Close(editor);
   editor->Do("view.frame_all");

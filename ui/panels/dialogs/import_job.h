@@ -39,6 +39,7 @@ struct ImportState {
   double height_m = 0.0, mass_kg = 0.0;  // 0: as guessed
   double fps = 0.0;                      // 0: the clip's
   std::shared_ptr<ImportJob> job;
+  int bone = -1;                             // of the report's bones, chosen; -1: none
   std::optional<Result<Imported>> imported;  // with these options; none: not tried yet
 };
 

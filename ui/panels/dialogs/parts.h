@@ -13,6 +13,8 @@ void DrawFileDialog(Editor* editor);
 void DrawSearch(Editor* editor);
 void DrawForm(Editor* editor);
 void DrawImport(Editor* editor);
+// What the bones are, to be changed. True once it was.
+bool DrawRoles(const Editor& editor, ImportState* state);
 void DrawExport(Editor* editor);
 void DrawRenderDialog(Editor* editor);
 void DrawProgress(Editor* editor);

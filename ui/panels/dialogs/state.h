@@ -3,6 +3,7 @@
 #include <functional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ui/edit/parameters.h"
@@ -59,6 +60,7 @@ struct DialogsState {
   SearchState search;
   FormState form;
   ImportState import;
+  std::pair<long, std::string> imported = {-1, ""};  // document, and the file that it came from
   ExportState exporting;
   RenderState render;
   PreferencesState preferences;
