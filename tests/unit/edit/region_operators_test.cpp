@@ -1,5 +1,7 @@
 #include <set>
 
+#include "engine/project/checks/joint_names.h"
+#include "engine/project/figure_file.h"
 #include "engine/project/project_writer.h"
 #include "tests/unit/edit/sessions.h"
 #include "ui/edit/fields/item_fields.h"
@@ -305,6 +307,68 @@ TEST(RegionOperators, WholeBodyThatIsLetGo_StartsWithTheFrictionOfAFall) {
   EXPECT_EQ(friction({{"joints", {"pelvis+"}}}), edit::kLimpFriction);
   EXPECT_EQ(friction({{"joints", {"r_hip+", "pelvis"}}, {"contacts", true}}), edit::kLimpFriction);
   EXPECT_EQ(friction({{"joints", {"pelvis+"}}, {"contacts", true}, {"friction", 0.5}}), 0.5);
+}
+
+// A hand with a finger and a twist beside it.
+void GiveFigureWithFinger(Session* session) {
+  Project project = session->project();
+  FigureSpec spec;
+  spec.name = "hand";
+  spec.root_name = "root";
+  const auto joint = [&](const char* name, const char* parent, BodyRole role) {
+    JointSpec made;
+    made.name = name;
+    made.parent = parent;
+    made.offset = Vec3(0, 0, -0.2);
+    HingeSpec hinge;
+    hinge.axis = Vec3::UnitY();
+    hinge.lower = -1.0;
+    hinge.upper = 1.0;
+    made.hinges = {hinge};
+    LinkSpec link;
+    link.name = name;
+    link.to = Vec3(0, 0, -0.2);
+    link.radius = 0.02;
+    link.mass = 0.3;
+    made.links = {link};
+    made.body = BodyPlace{role, BodySide::kLeft};
+    spec.joints.push_back(made);
+  };
+  LinkSpec root;
+  root.name = "root";
+  root.radius = 0.1;
+  root.mass = 5.0;
+  spec.root_links = {root};
+  joint("arm", "root", BodyRole::kUpperArm);
+  joint("twist", "arm", BodyRole::kTwist);
+  joint("wrist", "arm", BodyRole::kHand);
+  joint("finger", "wrist", BodyRole::kFinger);
+  project.figure = {};
+  project.figure.embedded_json = FigureText(spec);
+  project.figure.spec = spec;
+  project.skin = {};
+  project.joints.clear();
+  project.placements.clear();
+  session->Replace(std::move(project), "");
+}
+
+TEST(RegionOperators, TwistsAndFingersStayOutUnlessTheyAreAskedFor) {
+  Session session;
+  GiveFigureWithFinger(&session);
+  const auto moved = [&](const char* joint) -> bool {
+    return JointsOf(session.project().regions.back(),
+                    session.figure())[session.figure().FindJoint(joint)->value()];
+  };
+  Do(&session, "region.add", {{"first", 5}, {"last", 10}, {"joints", {"arm+"}}});
+  EXPECT_TRUE(moved("arm") && moved("wrist"));
+  EXPECT_FALSE(moved("twist") || moved("finger"));
+  EXPECT_TRUE(session.project().regions.back().limit_tangents);
+  Do(&session, "region.add", {{"first", 12}, {"last", 15}, {"joints", {"arm", "finger+"}}});
+  EXPECT_TRUE(moved("arm") && moved("finger"));
+  Do(&session, "region.add",
+     {{"first", 20}, {"last", 25}, {"joints", {"wrist+"}}, {"limit_tangents", false}});
+  EXPECT_FALSE(moved("finger"));
+  EXPECT_FALSE(session.project().regions.back().limit_tangents);
 }
 
 }  // namespace

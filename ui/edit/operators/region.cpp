@@ -35,11 +35,13 @@ Result<Done> AddRegion(Session* session, const Parameters& p) {
         }
         ProjectRegion region;
         region.name = "region";
+        region.limit_tangents = true;
         for (const std::string& name : session->selected_joints()) {
           region.joints.push_back({name, false, {}});
         }
         if (Result<Done> set = SetFields(p, &region); !set.ok()) return set.error();
         Resolve(session->figure(), &region.joints);
+        LeaveOutSmallParts(session->figure(), &region.joints);
         if (!p.has("friction")) {
           region.friction.default_factor = StartFriction(region, session->figure());
         }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/body/figure_body.h"
 #include "engine/project/checks/joint_names.h"
 #include "ui/edit/fields/item_fields.h"
 #include "ui/edit/operators/regions.h"
@@ -135,13 +136,37 @@ Result<Done> RemoveJoints(Session* session, const Parameters& p) {
                       });
 }
 
+// By hinge: whether it is one of a twist, of cloth or of a finger.
+std::vector<bool> SmallParts(const Figure& figure) {
+  const FigureBody body(figure);
+  std::vector<bool> small;
+  for (const Joint& hinge : figure.joints()) {
+    const BodyRole role = body.PlaceOf(hinge.group).role;
+    small.push_back(role == BodyRole::kTwist || role == BodyRole::kCloth ||
+                    role == BodyRole::kFinger);
+  }
+  return small;
+}
+
 }  // namespace
 
+void LeaveOutSmallParts(const Figure& figure, std::vector<JointRef>* refs) {
+  const Moved small = {SmallParts(figure), false};
+  std::vector<JointRef> left;
+  for (const JointRef& ref : *refs) {
+    std::vector<JointRef> rest = {ref};
+    const bool is_small = MovedBy({{ref.name, false, {}}}, figure).Meets(small);
+    if (ref.beyond && !is_small) Remove(small, figure, &rest);
+    left.insert(left.end(), rest.begin(), rest.end());
+  }
+  *refs = std::move(left);
+}
+
 double StartFriction(const ProjectRegion& region, const Figure& figure) {
-  const std::vector<bool> moved = JointsOf(region, figure);
+  const std::vector<bool> moved = JointsOf(region, figure), small = SmallParts(figure);
   bool is_whole = region.contacts.scene && DrivesRoot(region, figure);
   for (int j = 0; j < figure.num_joints(); ++j)
-    is_whole &= moved[j] || figure.joints()[j].is_fixed();
+    is_whole &= moved[j] || small[j] || figure.joints()[j].is_fixed();
   return is_whole ? kFallFriction : kLimpFriction;
 }
 
