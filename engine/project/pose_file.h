@@ -15,7 +15,7 @@ namespace hazumi {
 
 // Of the root, without where it is on the ground and where it looks.
 struct SavedRoot {
-  double height_m = 0.0;                        // its origin above z = 0 of the world
+  double height_m = 0.0;                        // its origin above the ground
   double angle_y_deg = 0.0, angle_x_deg = 0.0;  // of R = Rz Ry Rx
   // Of the same origin when the figure that the pose is of stands upright; not given: the human.
   std::optional<double> standing_height_m;

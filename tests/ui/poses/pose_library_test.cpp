@@ -96,6 +96,22 @@ TEST_F(PoseLibrary, APoseOfTheWholeFigureBringsItsHeightAndLean) {
   EXPECT_NEAR(Angle("root.angle_z"), 90.0, 1e-9);
 }
 
+TEST_F(PoseLibrary, APoseStandsOnTheGroundWhereverThatIs) {
+  Project project = user.project();
+  ProjectPlane* ground = nullptr;
+  for (ProjectSceneObject& object : project.scene.objects) {
+    if (auto* plane = std::get_if<ProjectPlane>(&object.shape)) ground = plane;
+  }
+  ASSERT_NE(ground, nullptr);
+  ground->offset_m = -0.3;
+  user.editor().session().Replace(std::move(project), "");
+  Do("pose.apply", {{"name", "Crouch"}});
+  const double height = user.editor().poses.library.Find("Crouch")->root->height_m;
+  EXPECT_NEAR(Angle("root.z"), height - 0.3, 1e-9);
+  Do("pose.save", {{"name", "low"}});
+  EXPECT_NEAR(user.editor().poses.library.Find("low")->root->height_m, height, 1e-9);
+}
+
 TEST_F(PoseLibrary, SaysWhatTheFigureDoesNotHaveAndLeavesItAlone) {
   std::ofstream(path()) << R"({"format": "hazumi-poses", "version": 1, "poses": [
     {"name": "cat", "joints": {"tail_3": 20, "r_knee": 30}},

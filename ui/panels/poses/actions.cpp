@@ -18,6 +18,17 @@ using edit::Parameters;
 
 constexpr double kHumanStands = 0.9024;  // root of the human that comes with Hazumi [m]
 
+// Height of the highest level plane of the scene; 0 without one [m].
+double GroundOf(const Project& project) {
+  std::optional<double> ground;
+  for (const ProjectSceneObject& object : project.scene.objects) {
+    const auto* plane = std::get_if<ProjectPlane>(&object.shape);
+    if (!plane || plane->normal != Vec3::UnitZ()) continue;
+    ground = std::max(ground.value_or(plane->offset_m), plane->offset_m);
+  }
+  return ground.value_or(0.0);
+}
+
 // Without where it stands and where it looks; where a placement says how high it is, that neither.
 // `share`: of its height.
 edit::Pose RootPart(const SavedRoot& root, double share, edit::Session* session) {
@@ -25,7 +36,7 @@ edit::Pose RootPart(const SavedRoot& root, double share, edit::Session* session)
                      {kRootCurveNames[kRootAngleX], root.angle_x_deg}};
   const Animation* animation = session->animation();
   if (animation && !edit::IsPlaced(*animation, session->frame())) {
-    pose.push_back({kRootCurveNames[kRootZ], share * root.height_m});
+    pose.push_back({kRootCurveNames[kRootZ], GroundOf(session->project()) + share * root.height_m});
   }
   return pose;
 }
@@ -165,7 +176,8 @@ Result<Done> SavePose(Editor* editor, const Parameters& p) {
     const Result<const MotionFrame*> now = session.FrameNow();
     if (!now.ok()) return now.error();
     const auto values = RootValues(now.value()->X_WR, session.project().root, session.frame());
-    pose.root = SavedRoot{values[kRootZ], values[kRootAngleY], values[kRootAngleX], {}, {}};
+    const double height = values[kRootZ] - GroundOf(session.project());
+    pose.root = SavedRoot{height, values[kRootAngleY], values[kRootAngleX], {}, {}};
   }
   AddHuman(session.figure(), &pose);
   Result<Done> saved = editor->poses.library.Save(std::move(pose), p.yes("replace"));
