@@ -42,6 +42,9 @@ struct BakedProject {
 Result<BakedProject> LoadAndBake(const std::string& file, const Options& options);
 // A file of another program as a project. Errors: also kInterrupted.
 Result<Imported> Import(const std::string& file, const ImportOptions& options);
+// How files of other programs are read, with the roles of the map that is named. Errors: of reading
+// the map.
+Result<ImportOptions> ImportOptionsOf(const Options& options);
 // Problems of the motion besides those that are warnings; none of a motion without frames.
 std::vector<std::string> ProblemTexts(const BakedProject& baked, const Effort& effort);
 // Prints the warnings to standard error.

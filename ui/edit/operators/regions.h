@@ -14,8 +14,8 @@ inline const ParameterInfo kOfRegion = {"region", ParameterKind::kText, true, "t
 inline constexpr double kLimpFriction = 0.8, kFallFriction = 0.96;
 double StartFriction(const ProjectRegion& region, const Figure& figure);
 
-// Leaves twists, cloth and fingers out of references to all that is beyond a joint, unless the joint
-// is one of these itself.
+// Leaves twists, cloth and fingers out of references to all that is beyond a joint, unless the
+// joint is one of these itself.
 void LeaveOutSmallParts(const Figure& figure, std::vector<JointRef>* refs);
 
 // One undo step on the region of the parameter "region": action(project, region).
