@@ -40,6 +40,20 @@ constexpr const char* NameOf(BodyRole role) {
   return kNames[static_cast<int>(role)];
 }
 
+// Whether a body has one of it on the left and one on the right, or several.
+constexpr bool NeedsSide(BodyRole role) {
+  return role >= BodyRole::kClavicle && role <= BodyRole::kToe;
+}
+constexpr bool MayHaveSide(BodyRole role) {
+  return NeedsSide(role) || role == BodyRole::kWing || role == BodyRole::kEar ||
+         role == BodyRole::kWeapon || role == BodyRole::kTwist;
+}
+// Whether a body has it once, or once on each side.
+constexpr bool IsSingle(BodyRole role) {
+  return role == BodyRole::kHips || role == BodyRole::kHead ||
+         (NeedsSide(role) && role != BodyRole::kFinger);
+}
+
 constexpr const char* NameOf(BodySide side) {
   if (side == BodySide::kMiddle) return "middle";
   return side == BodySide::kLeft ? "left" : "right";

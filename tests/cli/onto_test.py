@@ -1,6 +1,6 @@
 #!/usr/bin/env -S /usr/bin/python3
 """Puts a changed arm back into the file it was imported from, and looks by an independent reader: the
-changed bones are where the project has them, everything else is byte for byte as it was. Prints a
+changed bones are where the project has them, everything else says what it said, its buffers and numbers byte for byte. Prints a
 line for each file. usage: onto_test.py HAZUMI"""
 
 from command_line import THROW, data_folder, main, run

@@ -1,21 +1,18 @@
 #!/usr/bin/env -S /usr/bin/python3
-"""Rigs as others build them (tests/support/made_rigs.py): what each bone is in a body is found, feet
+"""Rigs as others build them (made_rigs.py): what each bone is in a body is found, feet
 and hands that hang beside their limbs are put back on those, and what is animated goes back into the
 file; turned and scaled rigs stand upright on the ground, facing forward. usage: rigs_test.py HAZUMI"""
 
 import json
 import pathlib
-import sys
 import unittest
 
 import numpy as np
 
-from command_line import ROOT, InFolder, data_folder, main, run
+from command_line import data_folder, main
 from foreign_reader import Gltf
+from made_rigs import Rig, make_rigs
 from put_back import PutsBack, fit_most
-
-sys.path.insert(0, str(ROOT / "tests" / "support"))
-from made_rigs import Rig, make_rigs  # noqa: E402
 
 LIMBS = {f"{side} {role}" for side in ("left", "right")
          for role in ("upper_arm", "forearm", "thigh", "shin", "foot")}

@@ -1,4 +1,4 @@
-// What nodes are in a body, as avatars say it: VRM 0.x in extensions.VRM.humanoid.humanBones, a
+// Roles of nodes in a body, as avatars say them: VRM 0.x in extensions.VRM.humanoid.humanBones, a
 // list of {"bone", "node"}; VRM 1.0 in extensions.VRMC_vrm.humanoid.humanBones, {NAME: {"node"}}.
 
 #include <optional>

@@ -27,6 +27,11 @@ constexpr size_t kMostBones = 1000;  // of a character that is searched
 
 using Poses = std::vector<BonePose>;
 
+// An end, and the limb's last bone that it belongs on: bones of the character.
+struct End {
+  int bone = 0, limb = 0;
+};
+
 double MedianOf(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<long>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
@@ -56,23 +61,23 @@ class Ends {
     Sample();
   }
 
-  // Pairs of an end and the bone that it belongs on.
-  std::vector<std::pair<int, int>> Find() const {
-    std::vector<std::pair<int, int>> found;
-    const std::vector<BodyPlace> places = samples_.empty() ? Places() : std::vector<BodyPlace>();
+  std::vector<End> Find() const {
+    const bool has_clips = !character_.clips.empty();
+    if (has_clips && samples_.empty()) return {};  // nothing goes from place to place
+    const std::vector<BodyPlace> places = has_clips ? std::vector<BodyPlace>() : Places();
+    std::vector<End> found;
     for (int b = 0; b < size(); ++b) {
       if (!Wanted(b) || Parent(b) < 0) continue;
-      const int limb = samples_.empty() ? NamedLimb(b, places) : MovingLimb(b);
-      if (limb >= 0) found.emplace_back(b, limb);
+      const int limb = has_clips ? MovingLimb(b) : NamedLimb(b, places);
+      if (limb >= 0) found.push_back({b, limb});
     }
-    // What hangs on an end is no limb of another.
-    const auto hangs_on_end = [&](const std::pair<int, int>& pair) {
-      return std::any_of(found.begin(), found.end(),
-                         [&](const auto& other) { return IsAbove(other.first, pair.second); });
-    };
-    std::vector<std::pair<int, int>> sound;
-    for (const std::pair<int, int>& pair : found) {
-      if (!hangs_on_end(pair)) sound.push_back(pair);
+    // A bone that hangs on an end is no limb of another.
+    std::vector<End> sound;
+    for (const End& end : found) {
+      const bool hangs_on_end = std::any_of(found.begin(), found.end(), [&](const End& other) {
+        return IsAbove(other.bone, end.limb);
+      });
+      if (!hangs_on_end) sound.push_back(end);
     }
     return sound;
   }
@@ -82,7 +87,17 @@ class Ends {
   bool Wanted(int b) const { return wanted_[static_cast<size_t>(b)] != 0; }
   int Parent(int b) const { return character_.bones[static_cast<size_t>(b)].parent; }
 
+  bool MayMove(int b) const {
+    return std::any_of(character_.clips.begin(), character_.clips.end(), [&](const Clip& clip) {
+      return !clip.tracks[static_cast<size_t>(b)].translations.empty();
+    });
+  }
+
+  // Poses of some frames, if any bone but a top one goes from place to place.
   void Sample() {
+    bool any_moves = false;
+    for (int b = 0; b < size(); ++b) any_moves |= Wanted(b) && Parent(b) >= 0 && MayMove(b);
+    if (!any_moves) return;
     long frames = 0;
     for (const Clip& clip : character_.clips) frames += clip.num_frames;
     const long step = std::max<long>(1, frames / kMostSamples);
@@ -111,7 +126,7 @@ class Ends {
   struct Move {
     double median = 0.0, mean = 0.0;
   };
-  // What a bone moves in the frame of another, from its median place there.
+  // Ways of a bone from its median place in the frame of another.
   Move MoveIn(int b, int frame) const {
     std::array<std::vector<double>, 3> places;
     for (const Poses& poses : samples_) {
@@ -144,11 +159,7 @@ class Ends {
   }
 
   int MovingLimb(int b) const {
-    const bool may_move =
-        std::any_of(character_.clips.begin(), character_.clips.end(), [&](const Clip& clip) {
-          return !clip.tracks[static_cast<size_t>(b)].translations.empty();
-        });
-    if (!may_move || MostMove(b) < kMoves * height_) return -1;
+    if (!MayMove(b) || MostMove(b) < kMoves * height_) return -1;
     int best = -1;
     double least = std::numeric_limits<double>::infinity();
     for (int limb = 0; limb < size(); ++limb) {
@@ -181,7 +192,7 @@ class Ends {
       const BonePose& pose = rest_[static_cast<size_t>(limb)];
       const auto& end = character_.bones[static_cast<size_t>(limb)].end_site;
       const Vec3& above = rest_[static_cast<size_t>(Parent(limb))].p;
-      // Where it ends is not known without an end: as far as the bone above is long.
+      // A limb without an end ends as far as the bone above is long.
       const double off = end ? (pose.At(*end) - at).norm()
                              : std::abs((pose.p - at).norm() - (pose.p - above).norm());
       if (off <= kNear * height_) return limb;
@@ -197,36 +208,48 @@ class Ends {
   double height_ = 0.0;
 };
 
-// `from`: the character as it was.
-void Hang(int end, int limb, const Character& from, Character* character) {
-  const auto b = static_cast<size_t>(end), c = static_cast<size_t>(limb);
-  const auto below = [&](const Poses& poses, Mat3* R, Vec3* p, Vec3* scale) {
-    *R = poses[c].R.transpose() * poses[b].R;
-    *p = PlaceIn(poses[c], poses[b].p);
-    *scale = poses[b].stretch.diagonal() / poses[c].stretch.diagonal().mean();
-  };
-  Bone& bone = character->bones[b];
-  Bone hung = bone;
-  below(PosesAt(from, nullptr, 0), &hung.rest.R, &hung.rest.p, &hung.rest_scale);
-  for (size_t i = 0; i < from.clips.size(); ++i) {
-    Clip& clip = character->clips[i];
-    BoneTrack track;
-    for (int f = 0; f < clip.num_frames; ++f) {
-      Mat3 R;
-      Vec3 p, scale;
-      below(PosesAt(from, &from.clips[i], f), &R, &p, &scale);
-      Eigen::Quaterniond q(R);
-      if (f > 0 && q.dot(track.rotations.back()) < 0.0) q.coeffs() = -q.coeffs();
-      track.rotations.push_back(q.normalized());
-      track.translations.push_back(p);
-      if (!clip.tracks[b].scales.empty()) track.scales.push_back(scale);
+// An end in the frame of its limb.
+struct HungPose {
+  Mat3 R;
+  Vec3 p, scale;
+};
+
+HungPose PoseOn(const End& end, const Poses& poses) {
+  const BonePose &b = poses[static_cast<size_t>(end.bone)],
+                 &c = poses[static_cast<size_t>(end.limb)];
+  return {c.R.transpose() * b.R, PlaceIn(c, b.p),
+          b.stretch.diagonal() / c.stretch.diagonal().mean()};
+}
+
+void HangAtRest(const End& end, const Poses& rest, Character* character) {
+  Bone& bone = character->bones[static_cast<size_t>(end.bone)];
+  const HungPose pose = PoseOn(end, rest);
+  bone.rest = {pose.R, pose.p};
+  bone.rest_scale = pose.scale;
+  bone.rotation_order.clear();
+  bone.is_limb_end = true;
+  bone.parent = end.limb;
+}
+
+void AddFrame(const HungPose& pose, bool has_scales, BoneTrack* track) {
+  Eigen::Quaterniond q(pose.R);
+  if (!track->rotations.empty() && q.dot(track->rotations.back()) < 0.0) q.coeffs() = -q.coeffs();
+  track->rotations.push_back(q.normalized());
+  track->translations.push_back(pose.p);
+  if (has_scales) track->scales.push_back(pose.scale);
+}
+
+std::vector<BoneTrack> HungTracks(const std::vector<End>& ends, const Character& character,
+                                  const Clip& clip) {
+  std::vector<BoneTrack> tracks(ends.size());
+  for (int f = 0; f < clip.num_frames; ++f) {
+    const Poses poses = PosesAt(character, &clip, f);
+    for (size_t i = 0; i < ends.size(); ++i) {
+      const bool has_scales = !clip.tracks[static_cast<size_t>(ends[i].bone)].scales.empty();
+      AddFrame(PoseOn(ends[i], poses), has_scales, &tracks[i]);
     }
-    clip.tracks[b] = std::move(track);
   }
-  hung.is_limb_end = true;
-  hung.rotation_order.clear();
-  hung.parent = limb;
-  bone = std::move(hung);
+  return tracks;
 }
 
 }  // namespace
@@ -234,15 +257,22 @@ void Hang(int end, int limb, const Character& from, Character* character) {
 std::optional<Character> WithEndsOnLimbs(const std::vector<char>& wanted,
                                          const Character& character) {
   if (character.bones.size() < 3 || character.bones.size() > kMostBones) return std::nullopt;
-  const std::vector<std::pair<int, int>> ends = Ends(wanted, character).Find();
+  const std::vector<End> ends = Ends(wanted, character).Find();
   if (ends.empty()) return std::nullopt;
   Character hung = character;
-  for (const auto& [end, limb] : ends) {
-    const auto name = [&](int b) { return character.bones[static_cast<size_t>(b)].name; };
-    Hang(end, limb, character, &hung);
-    hung.warnings.push_back({name(end), "moves with \"" + name(limb) + "\" but hangs on \"" +
-                                            name(character.bones[static_cast<size_t>(end)].parent) +
-                                            "\": it is hung on the first"});
+  for (size_t k = 0; k < hung.clips.size(); ++k) {
+    std::vector<BoneTrack> tracks = HungTracks(ends, character, character.clips[k]);
+    for (size_t i = 0; i < ends.size(); ++i)
+      hung.clips[k].tracks[static_cast<size_t>(ends[i].bone)] = std::move(tracks[i]);
+  }
+  const Poses rest = PosesAt(character, nullptr, 0);
+  const auto name = [&](int b) { return character.bones[static_cast<size_t>(b)].name; };
+  for (const End& end : ends) {
+    HangAtRest(end, rest, &hung);
+    hung.warnings.push_back(
+        {name(end.bone), "moves with \"" + name(end.limb) + "\" but hangs on \"" +
+                             name(character.bones[static_cast<size_t>(end.bone)].parent) +
+                             "\": it is hung on the first"});
   }
   PutParentsFirst(&hung);
   return hung;

@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "engine/base/text.h"
-#include "engine/body/shape_roles.h"
 #include "engine/exchange/character/character_check.h"
 #include "engine/exchange/import/detached_ends.h"
 #include "engine/exchange/import/figure_joints.h"
@@ -13,9 +12,11 @@
 #include "engine/exchange/import/import_check.h"
 #include "engine/exchange/import/import_names.h"
 #include "engine/exchange/import/import_plan.h"
+#include "engine/exchange/import/import_source.h"
 #include "engine/exchange/import/joint_plan.h"
 #include "engine/exchange/import/key_reduction.h"
 #include "engine/exchange/import/one_root.h"
+#include "engine/exchange/import/told_roles.h"
 #include "engine/exchange/units.h"
 #include "engine/figure/figure_builder.h"
 #include "engine/project/figure_file.h"
@@ -84,7 +85,7 @@ class Importer {
       project_.skin.skin = std::make_shared<const Skin>(std::move(skin_));
     }
     project_.size_is_guessed = report_.unit_is_guessed;
-    SetSource();
+    project_.source = SourceOf(character_, clip_, world_, options_);
     if (auto error = WhyNoProject(project_)) return *error;
     return Imported{std::move(project_), std::move(report_)};
   }
@@ -97,7 +98,7 @@ class Importer {
   }
 
  private:
-  // What the keys say, and all that has to be known for it.
+  // Makes the keys' angles, and all that has to be known for them.
   Result<Done> Plan() {
     Result<Skeleton> skeleton = SkeletonOf(character_);
     if (!skeleton.ok()) return skeleton.error();
@@ -112,8 +113,11 @@ class Importer {
                             character_.warnings.end());
     SayBones();
     world_ = WorldFrameOf(character_, skeleton_, clip_, options_, &report_);
-    TellRolesByShape();
-    if (auto error = TakeGivenRoles()) return *error;
+    if (TellRolesByShape(world_, &skeleton_)) {
+      report_.warnings.push_back(
+          {RootName(), "names of bones say nothing: which is what is told by their shape"});
+    }
+    if (auto error = GiveRoles(options_.roles, character_, &skeleton_)) return *error;
     if (options_.faces_forward) FaceForward(skeleton_, &report_, &world_);
     ReportBones();
     if (auto error = WhyTooTall(world_)) return *error;
@@ -170,65 +174,6 @@ class Importer {
         {RootName(), "bones beside it that carry no skin are left out: " + names});
   }
 
-  // Tells what bones are whose names say nothing.
-  void TellRolesByShape() {
-    const auto has_place = [](const KeptBone& bone) { return bone.place != BodyPlace(); };
-    if (std::any_of(skeleton_.bones.begin(), skeleton_.bones.end(), has_place)) return;
-    std::vector<RestBone> bones = RestBonesOf(skeleton_, world_);
-    if (!SetRolesByShape(&bones)) return;
-    for (size_t k = 0; k < bones.size(); ++k) TakeRole(bones[k].place, &skeleton_.bones[k]);
-    report_.warnings.push_back(
-        {RootName(), "names of bones say nothing: which is what is told by their shape"});
-  }
-
-  // In place of what was told.
-  std::optional<Error> TakeGivenRoles() {
-    for (const auto& [name, place] : options_.roles) {
-      const auto found = std::find_if(
-          skeleton_.bones.begin(), skeleton_.bones.end(), [&, &wanted = name](const KeptBone& b) {
-            return character_.bones[static_cast<size_t>(b.bone)].name == wanted;
-          });
-      if (found == skeleton_.bones.end()) {
-        return Error{ErrorCode::kSemantics, "", "roles",
-                     "no bone that becomes a joint is called " + Quoted(name)};
-      }
-      if (auto error = WhyNoPlace(name, place)) return error;
-      // Of those of which a body has one the one before gives way.
-      for (KeptBone& bone : skeleton_.bones) {
-        if (IsOneOnly(place.role) && bone.place == place) bone.place = BodyPlace();
-      }
-      TakeRole(place, &*found);
-    }
-    return std::nullopt;
-  }
-
-  static bool IsOneOnly(BodyRole role) {
-    switch (role) {
-      case BodyRole::kClavicle:
-      case BodyRole::kUpperArm:
-      case BodyRole::kForearm:
-      case BodyRole::kHand:
-      case BodyRole::kThigh:
-      case BodyRole::kShin:
-      case BodyRole::kFoot:
-      case BodyRole::kToe:
-      case BodyRole::kHips:
-      case BodyRole::kHead:
-        return true;
-      default:
-        return false;
-    }
-  }
-
-  static std::optional<Error> WhyNoPlace(const std::string& name, BodyPlace place) {
-    const bool has_sides =
-        IsOneOnly(place.role) && place.role != BodyRole::kHips && place.role != BodyRole::kHead;
-    if (!has_sides || place.side != BodySide::kMiddle) return std::nullopt;
-    return Error{ErrorCode::kSemantics, "", "roles",
-                 Quoted(name) + " is left or right: say which, as \"left " +
-                     std::string(NameOf(place.role)) + "\""};
-  }
-
   void ReportBones() {
     const std::vector<RestBone> rest = RestBonesOf(skeleton_, world_);
     for (size_t k = 0; k < rest.size(); ++k) {
@@ -236,16 +181,6 @@ class Importer {
       report_.bones.push_back({character_.bones[static_cast<size_t>(bone.bone)].name, bone.parent,
                                bone.place, rest[k].X_R.p});
     }
-  }
-
-  void TakeRole(BodyPlace place, KeptBone* bone) {
-    bone->place = place;
-    bone->body = {PartOf(place.role), place.side};
-    bone->segment = SegmentOf(bone->body.part);
-    if (bone->segment != BodySegment::kNone) return;
-    const bool is_root = bone->parent < 0;
-    bone->segment =
-        is_root ? BodySegment::kTrunk : skeleton_.bones[static_cast<size_t>(bone->parent)].segment;
   }
 
   // A character that nobody could see or move is none.
@@ -412,21 +347,6 @@ class Importer {
     return std::nullopt;
   }
 
-  // What it takes to read the clip again as it was read here.
-  void SetSource() {
-    ProjectSource source;
-    source.file = character_.file;
-    source.character = character_.chosen;
-    if (clip_) source.clip = clip_->name;
-    source.fps = options_.fps;
-    source.z_up = world_.up == UpAxis::kZ;
-    source.metres_per_unit = world_.metres;
-    source.reduce_deg = options_.reduce_deg;
-    source.file_hinges = options_.hinges == ImportHinges::kFile;
-    source.file_facing = !options_.faces_forward;
-    project_.source = std::move(source);
-  }
-
   void SetGround(double height) {
     ProjectPlane plane;
     plane.offset_m = height;
@@ -451,19 +371,6 @@ class Importer {
 };
 
 }  // namespace
-
-ImportOptions OptionsOf(const ProjectSource& source) {
-  ImportOptions options;
-  options.character = source.character;
-  options.clip = source.clip;
-  options.fps = source.fps;
-  options.up = source.z_up ? UpAxis::kZ : UpAxis::kY;
-  options.metres_per_unit = source.metres_per_unit;
-  options.reduce_deg = source.reduce_deg;
-  options.hinges = source.file_hinges ? ImportHinges::kFile : ImportHinges::kBody;
-  options.faces_forward = !source.file_facing;
-  return options;
-}
 
 Result<Imported> ImportProject(const Character& character, const ImportOptions& options) {
   const std::optional<Character> hung = Hung(character);

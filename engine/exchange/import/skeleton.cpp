@@ -93,7 +93,8 @@ int LowestCommon(const Character& character, const std::vector<char>& wanted,
   return root;
 }
 
-// What the file itself says of its bones goes before names. Returns whether it says anything.
+// Takes the roles that the file itself states, before those of names. Returns whether it states
+// any.
 bool TakeStated(const Character& character, const std::vector<KeptBone>& kept, BoneRoles* roles) {
   const auto stated = [&](size_t k) {
     return character.bones[static_cast<size_t>(kept[k].bone)].place;
@@ -108,7 +109,7 @@ bool TakeStated(const Character& character, const std::vector<KeptBone>& kept, B
   return is_stated;
 }
 
-// What hangs on a shin is a foot, on a forearm a hand.
+// Names the end of a limb: on a shin it is a foot, on a forearm a hand.
 void NameEnd(BodyPlace limb, KeptBone* end) {
   const bool is_leg = limb.role == BodyRole::kShin;
   if (!is_leg && limb.role != BodyRole::kForearm) return;

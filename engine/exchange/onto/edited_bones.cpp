@@ -127,6 +127,8 @@ class Edits {
     clip_.first = std::min(first, from ? 0 : first);
     clip_.num_frames = std::max(last, from ? from->num_frames - 1 : last) - clip_.first + 1;
     clip_.bones.resize(own_.size());
+    turns_.resize(own_.size());
+    moves_.resize(own_.size());
     for (size_t k = 0; k < own_.size(); ++k) {
       clip_.bones[k].name = bone(k).name;
       clip_.bones[k].node = bone(k).source.node;
@@ -205,9 +207,10 @@ class Edits {
     const PlannedJoint& joint = plan_.plan.joints[k];
     const auto p = static_cast<size_t>(own_[static_cast<size_t>(joint.parent)]);
     target.R = after[p].R * before[p].R.transpose() * before[b].R;
-    const Vec3 in_parent =
-        (before[p].R * before[p].stretch).inverse() * (before[b].p - before[p].p);
-    target.p = after[p].At(in_parent);
+    if (IsPlaced(k)) {
+      const Mat3 A = before[p].R * before[p].stretch;
+      target.p = after[p].At(A.inverse() * (before[b].p - before[p].p));
+    }
     if (!moved) return target;
     const Mat3 as_imported = joint.RotationAt(joint.angles[static_cast<size_t>(there)]);
     const Mat3 Q = TurnOf(group(k), moved->q);
@@ -246,7 +249,7 @@ class Edits {
                               const Eigen::Matrix4d& between) {
     EditedBone& edited = clip_.bones[k];
     const Mat3 A = between.topLeftCorner<3, 3>();
-    const Mat3 turn = NearestRotation(A);
+    const Mat3 turn = A.isIdentity(0.0) ? A : NearestRotation(A);
     const Mat3 stretch = turn.transpose() * A;
     const bool is_changed = AngleBetween(old.R, now.R) > kTurned || old.p != now.p;
     const double scale = stretch.diagonal().mean();
@@ -263,8 +266,6 @@ class Edits {
     const Vec3 offset = between.topRightCorner<3, 1>();
     edited.translations.push_back(A.inverse() * (now.p - offset));
     edited.is_changed.push_back(is_changed);
-    turns_.resize(clip_.bones.size());
-    moves_.resize(clip_.bones.size());
     turns_[k] |= AngleBetween(old.R, now.R) > kTurned;
     moves_[k] |= old.p != now.p;
     return std::nullopt;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/exchange/import/skeleton.h"
+#include "tests/unit/exchange/made_people.h"
 
 namespace hazumi {
 namespace {
@@ -81,9 +82,26 @@ TEST(DetachedEnds, FootThatIsLeftBehindInAFewFramesIsStillTheLegs) {
 }
 
 TEST(DetachedEnds, WithoutAClipNamesAndPlacesTell) {
-  const auto after = WithEndsOnLimbs(kAll, Leg());
-  // Two bones of one leg are no body by their names.
-  EXPECT_FALSE(after);
+  Character person = test::Person({});
+  const std::vector<BonePose> rest = PosesAt(person, nullptr, 0);
+  const auto named = [&](const std::string& end) {
+    for (size_t b = 0; b < person.bones.size(); ++b)
+      if (person.bones[b].name.ends_with(end)) return static_cast<int>(b);
+    return -1;
+  };
+  const int foot = named("LeftFoot"), shin = named("LeftLeg");
+  ASSERT_EQ(person.bones[foot].parent, shin);
+  const std::vector<char> wanted(person.bones.size(), 1);
+  EXPECT_FALSE(WithEndsOnLimbs(wanted, person));
+  person.bones[foot].parent = 0;
+  person.bones[foot].rest.p = rest[foot].p - rest[0].p;
+  const auto after = WithEndsOnLimbs(wanted, person);
+  ASSERT_TRUE(after);
+  const int now = BoneNamed(*after, person.bones[foot].name);
+  EXPECT_EQ(after->bones[after->bones[now].parent].name, person.bones[shin].name);
+  // A foot that lies elsewhere is not the shin's.
+  person.bones[foot].rest.p.x() += 1.0;
+  EXPECT_FALSE(WithEndsOnLimbs(wanted, person));
 }
 
 TEST(DetachedEnds, FootOnItsShinStays) {

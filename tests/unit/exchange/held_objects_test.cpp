@@ -11,7 +11,7 @@
 #include "tests/support/random.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/exchange/export_sample.h"
-#include "tests/unit/exchange/gltf_taken_apart.h"
+#include "tests/unit/exchange/gltf/gltf_taken_apart.h"
 
 namespace hazumi::test {
 namespace {

@@ -20,22 +20,6 @@ constexpr const char* kLabels[kNumBodyRoles] = {
     "forearm", "hand", "finger", "thigh",  "shin",  "foot",          "toe",
     "tail",    "wing", "ear",    "weapon", "twist", "cloth or hair", "helper"};
 
-bool HasSides(BodyRole role) {
-  switch (role) {
-    case BodyRole::kNone:
-    case BodyRole::kHips:
-    case BodyRole::kSpine:
-    case BodyRole::kNeck:
-    case BodyRole::kHead:
-    case BodyRole::kTail:
-    case BodyRole::kCloth:
-    case BodyRole::kHelper:
-      return false;
-    default:
-      return true;
-  }
-}
-
 std::string LabelOf(BodyPlace place) {
   std::string role = Tr(kLabels[static_cast<int>(place.role)]);
   if (place.side == BodySide::kMiddle) return role;
@@ -47,9 +31,9 @@ std::optional<BodyPlace> DrawRoleList(const BodyPlace& now) {
   std::optional<BodyPlace> chosen;
   for (int i = 0; i < kNumBodyRoles; ++i) {
     const auto role = static_cast<BodyRole>(i);
-    const bool has_sides = HasSides(role);
     for (const BodySide side : {BodySide::kMiddle, BodySide::kLeft, BodySide::kRight}) {
-      if (has_sides == (side == BodySide::kMiddle)) continue;
+      const bool is_middle = side == BodySide::kMiddle;
+      if (is_middle ? NeedsSide(role) : !MayHaveSide(role)) continue;
       const BodyPlace place = {role, side};
       if (ListLine(LabelOf(place), place == now)) chosen = place;
     }

@@ -7,7 +7,7 @@
 #include "engine/exchange/character/from_motion.h"
 #include "tests/support/figures.h"
 #include "tests/unit/exchange/export_sample.h"
-#include "tests/unit/exchange/gltf_taken_apart.h"
+#include "tests/unit/exchange/gltf/gltf_taken_apart.h"
 
 namespace hazumi::test {
 namespace {

@@ -3,14 +3,11 @@ beside their limbs, a scaled or turned node above the skeleton, a root without w
 
 import copy
 import json
-import pathlib
 import struct
-import sys
 
 import numpy as np
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "cli"))
-from foreign_reader import Gltf  # noqa: E402
+from foreign_reader import Gltf
 
 KNIGHT = {"hips": ("hips", ""), "spine": ("spine", ""), "chest": ("chest", ""), "head": ("head", ""),
           "upperarm.l": ("upperarm", "l"), "lowerarm.l": ("lowerarm", "l"), "wrist.l": ("wrist", "l"), "hand.l": ("hand", "l"),
