@@ -15,6 +15,9 @@ std::optional<Error> CheckBody(const std::vector<std::string>& human_hinges,
       std::find_if(human_hinges.begin(), human_hinges.end(),
                    [&](const std::string& hinge) { return body.HingesFor(hinge).empty(); });
   if (missing == human_hinges.end()) return std::nullopt;
+  if (body.HasFourLegs()) {
+    return Refusal("", "the figure stands on four legs; a " + whose + " is made for two");
+  }
   return Refusal("", "no hinge of the figure does what \"" + *missing +
                          "\" of the human does, which a " + whose +
                          " needs; import it again with the hinges of a body");

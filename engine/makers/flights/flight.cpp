@@ -50,12 +50,22 @@ std::optional<Error> CheckFree(const FlightSpan& span, const Animation& animatio
   return std::nullopt;
 }
 
-// Gravity would hold a figure that touches something. One that stands on the first frame is keyed
-// on its way until it is off the ground.
-Result<int> FirstByGravity(const FlightArc& arc, const FlightSpan& span) {
+// Whether a pin places the figure up to a frame: gravity would take over with the pin's speed.
+bool IsPinnedUntil(int frame, const Animation& animation) {
+  return std::any_of(animation.placements.begin(), animation.placements.end(),
+                     [&](const PlacementSpan& span) {
+                       return span.kind == PlacementKind::kPinned && span.last_frame == frame;
+                     });
+}
+
+// Gravity would hold a figure that touches something. One that stands on the first frame, or is
+// pinned, is keyed on its way until it is off the ground.
+Result<int> FirstByGravity(const FlightArc& arc, const FlightSpan& span,
+                           const Animation& animation) {
   constexpr int kMostFrames = 3;
   const int last = std::min(span.first + kMostFrames, span.last - 2);
-  for (int frame = span.first; frame <= last; ++frame) {
+  const int first = std::min(span.first + (IsPinnedUntil(span.first, animation) ? 1 : 0), last);
+  for (int frame = first; frame <= last; ++frame) {
     const auto nearness = arc.NearnessAt(frame);
     if (!nearness || nearness->clearance > 2.0 * kTouching) return frame;
   }
@@ -71,7 +81,8 @@ void EndOnTheGround(double clearance, int last, FlightArc* arc) {
   arc->EndAt(arc->ComAt(last) - (clearance + kHair) * Vec3::UnitZ());
 }
 
-Result<FlightKeys> KeysOf(const FlightSpan& span, const Motion& motion, FlightArc* planned) {
+Result<FlightKeys> KeysOf(const FlightSpan& span, const Animation& animation, const Motion& motion,
+                          FlightArc* planned) {
   constexpr double kLands = 1e-4;  // [m]
   FlightArc& arc = *planned;
   const auto landing = arc.NearnessAt(span.last);
@@ -82,7 +93,7 @@ Result<FlightKeys> KeysOf(const FlightSpan& span, const Motion& motion, FlightAr
   // The keys have the figure on the ground, or not much inside.
   const bool lands = landing && landing->clearance < kLands;
   if (lands) EndOnTheGround(landing->clearance, span.last, &arc);
-  const Result<int> by_gravity = FirstByGravity(arc, span);
+  const Result<int> by_gravity = FirstByGravity(arc, span, animation);
   if (!by_gravity.ok()) return by_gravity.error();
   const MotionFrame& before = FrameOf(motion, span.first - 1);
   const MotionFrame& after = FrameOf(motion, span.last + 1);
@@ -220,12 +231,18 @@ bool EndAsFlown(MotionFrame flown, const FlightKeys& keys, FlightArc* arc) {
   return true;
 }
 
+// The last frame on which a trial flies as it is aimed: before it lands early, or the last of all.
+int LastOfFlight(const Motion& motion, const FlightKeys& keys) {
+  const MotionEvent* landing = LandingIn(motion, keys);
+  return landing ? landing->frame - 1 : keys.span.last;
+}
+
 // Sets the rate with which gravity takes over so that the CoM is at the arc's end on the last
-// frame. What a coarse step adds is seen in the trials; a flight that lands early is left as it is.
+// frame. What a coarse step adds is seen in the trials. One that lands early is brought onto the
+// arc up to there, and left as it is if it lands early on the arc, too.
 Result<FlightReport> Aim(const Project& project, double step, FlightKeys* keys, FlightArc* arc) {
-  constexpr double kThere = 2e-6;  // [m]
+  constexpr double kThere = 2e-6, kOnTheWay = 1e-3;  // [m]
   constexpr int kTrials = 12;
-  const double duration = step * (keys->span.last - keys->by_gravity);
   TrialBakes trials;
   FlightReport report;
   while (true) {
@@ -233,16 +250,16 @@ Result<FlightReport> Aim(const Project& project, double step, FlightKeys* keys, 
     if (!flown.ok()) return flown.error();
     ++report.trials;
     const MotionFrame& end = FrameOf(*flown.value(), keys->span.last);
-    const bool is_early = LandingIn(*flown.value(), *keys) != nullptr;
-    const Vec3 goal = arc->ComAt(keys->span.last);
+    const int last = LastOfFlight(*flown.value(), *keys), frames = last - keys->by_gravity;
+    const bool is_early = last < keys->span.last;
     const bool ends_elsewhere = EndAsFlown(end, *keys, arc);
-    const Vec3 off = arc->ComAt(keys->span.last) - (is_early ? goal : end.com);
-    const bool is_there = !ends_elsewhere && off.norm() < kThere;
-    if (is_there || report.trials == kTrials) {
+    const Vec3 off = arc->ComAt(last) - FrameOf(*flown.value(), last).com;
+    const bool is_there = !ends_elsewhere && off.norm() < (is_early ? kOnTheWay : kThere);
+    if (is_there || frames < 1 || report.trials == kTrials) {
       if (const auto error = CheckFlown(*arc, *keys, *flown.value())) return *error;
       break;
     }
-    keys->rates.back() += off / duration;
+    keys->rates.back() += off / (step * frames);
   }
   report.by_gravity = keys->by_gravity;
   report.root_velocity = keys->rates.back();
@@ -265,7 +282,7 @@ Result<MadeFlight> MakeFlight(const FlightSpan& span, const Project& project,
   if (const auto error = CheckSpan(span, animation)) return *error;
   if (const auto error = CheckFree(span, animation)) return *error;
   FlightArc arc(animation, motion, span);
-  Result<FlightKeys> keys = KeysOf(span, motion, &arc);
+  Result<FlightKeys> keys = KeysOf(span, animation, motion, &arc);
   if (!keys.ok()) return keys.error();
   const Result<FlightReport> aimed =
       Aim(project, animation.rate.SecondsAt(1.0), &keys.value(), &arc);

@@ -203,7 +203,7 @@ Result<Done> EndBy(std::optional<int> latest, JumpPlan* plan) {
 }
 
 Result<JumpReport> Jump(const KnownJump& known, const JumpSpans& spans, const Animation& animation,
-                        const Vec3& target, double height, Project* project) {
+                        const Vec3& target, const JumpTry& how, Project* project) {
   Stage stage(animation, known.body());
   JumpPlan plan;
   plan.start = known.start();
@@ -211,12 +211,16 @@ Result<JumpReport> Jump(const KnownJump& known, const JumpSpans& spans, const An
   plan.after = known.StanceOn(known.end());
   plan.root_before = known.RootOn(known.start());
   for (int i = 0; i < kNumJumpPhases; ++i) plan.stances[i] = known.StanceOn(known.frames()[i]);
-  const JumpSpots spots = {stage.ToesOf(plan.before, plan.root_before), target};
+  // From where it stands in the crouch: until then it may bring its feet together.
+  const bool stands = StandsOnBothFeet(plan.before, &stage);
+  const int standing = stands ? known.start() : known.frames()[kCrouch];
+  const JumpSpots spots = {stage.ToesOf(known.StanceOn(standing), known.RootOn(standing)), target};
   const bool is_made = HasContacts(known.frames(), known.body(), *project);
   Result<Done> done = SetRoots(spots, &stage, &plan);
   if (!done.ok()) return done.error();
-  done = is_made ? PlanContacts(animation, spots, height, known.lengths(), &stage, &plan)
-                 : SetTimes(animation, height, known.lengths(), &stage, &plan);
+  done = is_made
+             ? PlanContacts(animation, spots, how.height, known.lengths(), how.push, &stage, &plan)
+             : SetTimes(animation, how.height, known.lengths(), &stage, &plan);
   if (!done.ok()) return done.error();
   auto& all = project->placements;
   all.erase(all.begin() + static_cast<std::ptrdiff_t>(spans.before),
@@ -230,7 +234,7 @@ Result<JumpReport> Jump(const KnownJump& known, const JumpSpans& spans, const An
   if (is_made) KeyContacts(plan, known.body(), *animation.figure, project);
   done = PutJump(plan, known.pins(), project);
   if (!done.ok()) return done.error();
-  return ReportOf(plan, height);
+  return ReportOf(plan, how.height);
 }
 
 }  // namespace
@@ -247,10 +251,10 @@ Result<MadeJump> AimJump(const JumpTarget& target, double frame, const Animation
   Stage stage(animation, body);
   const Vec3 landing = known.KeyedLanding(&stage);
   const Vec3 spot(target.x.value_or(landing.x()), target.y.value_or(landing.y()), 0.0);
-  const auto jump = [&](double height, Project* tried) {
-    return Jump(known, *spans, animation, spot, height, tried);
+  const auto jump = [&](const JumpTry& how, Project* tried) {
+    return Jump(known, *spans, animation, spot, how, tried);
   };
-  return JumpAsLow(target.height, jump, project);
+  return JumpAsLow(target.height, {1.0}, jump, project);
 }
 
 }  // namespace hazumi::makers

@@ -218,7 +218,7 @@ ContactRates RatesAt(const Contact& contact, const Animation& animation, const J
 
 // Sets the rates at take-off and landing. Errors: kSchema if the body does not move there as it
 // flies.
-Result<Done> SetRates(const Animation& animation, Stage* stage, JumpPlan* plan) {
+Result<Done> SetRates(const Animation& animation, Push push, Stage* stage, JumpPlan* plan) {
   constexpr double kMostOff = 0.5;
   bool goes_as_it_flies = GetsUpToSpeed(animation, *plan, stage);
   double speed = 0.0;
@@ -230,7 +230,7 @@ Result<Done> SetRates(const Animation& animation, Stage* stage, JumpPlan* plan) 
     if (is_flat && at.off > kMostOff * std::abs(velocity.z())) goes_as_it_flies = false;
     plan->rates[contact.phase] = std::move(at.rates);
   }
-  if (goes_as_it_flies) return Done();
+  if (goes_as_it_flies || push == Push::kAny) return Done();
   return Refusal("height", "it would fly forward at " + FormatShort(speed) +
                                " m/s, which the legs cannot give or take: give a greater height, "
                                "or a nearer spot");
@@ -239,10 +239,10 @@ Result<Done> SetRates(const Animation& animation, Stage* stage, JumpPlan* plan) 
 }  // namespace
 
 Result<Done> PlanContacts(const Animation& animation, const JumpSpots& spots, double height,
-                          const JumpLengths& lengths, Stage* stage, JumpPlan* plan) {
+                          const JumpLengths& lengths, Push push, Stage* stage, JumpPlan* plan) {
   constexpr int kRounds = 5;
-  const Contact &push = kContacts[0], &catching = kContacts[1];
-  const double leant = Straighten(push, stage->body(), &plan->stances[kTakeOff]);
+  const Contact &leaving = kContacts[0], &catching = kContacts[1];
+  const double leant = Straighten(leaving, stage->body(), &plan->stances[kTakeOff]);
   Straighten(catching, stage->body(), &plan->stances[kLanding]);
   Result<Done> done = SetRoots(spots, stage, plan);
   for (int round = 0; round < kRounds && done.ok(); ++round) {
@@ -252,8 +252,8 @@ Result<Done> PlanContacts(const Animation& animation, const JumpSpots& spots, do
     done = SetRoots(spots, stage, plan);
   }
   if (!done.ok()) return done;
-  plan->stances[kStretched].angles[1] += LeanOf(push, plan->stances[kTakeOff]) - leant;
-  return SetRates(animation, stage, plan);
+  plan->stances[kStretched].angles[1] += LeanOf(leaving, plan->stances[kTakeOff]) - leant;
+  return SetRates(animation, push, stage, plan);
 }
 
 void KeyContacts(const JumpPlan& plan, const JumpBody& body, const Figure& figure,

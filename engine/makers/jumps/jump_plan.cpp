@@ -75,6 +75,13 @@ JumpBody::JumpBody(const Figure& figure) {
     toes[i] = body.HingeFor(side + "toe");
     feet[i] = StandingJoint(body, i == 0 ? BodySide::kRight : BodySide::kLeft, figure);
   }
+  for (const char* hinge : {"hip_abduction", "hip_rotation", "ankle_inversion"}) {
+    for (const char* side : {"r_", "l_"}) {
+      for (const HingeShare& share : body.HingesFor(side + std::string(hinge))) {
+        aside.push_back(share.hinge);
+      }
+    }
+  }
   for (JumpHinge hinge : kJumpHinges) {
     if (!toes[0] && std::string_view(hinge.name) == "ankle_flexion") KeepFlat(&hinge);
     if (!toes[0] && !ankles[0]) PushByTheKnee(&hinge);
@@ -132,6 +139,11 @@ Vec3 Stage::ToesOf(const Stance& stance, const Vec3& root) {
   return Toes();
 }
 
+std::array<Vec3, 2> Stage::FeetOf(const Stance& stance, const Vec3& root) {
+  Place(stance, root);
+  return {ws_.body(feet_[0]).p, ws_.body(feet_[1]).p};
+}
+
 void Stage::Place(const Stance& stance, const Vec3& root) {
   const Vec3 a = stance.angles * kDegree;
   const Mat3 R = (Eigen::AngleAxisd(a[0], Vec3::UnitZ()) * Eigen::AngleAxisd(a[1], Vec3::UnitY()) *
@@ -144,6 +156,15 @@ Vec3 Stage::Toes() const {
   Vec3 middle = Vec3::Zero();
   for (const JointIndex foot : feet_) middle += 0.5 * ws_.body(foot).p;
   return middle;
+}
+
+bool StandsOnBothFeet(const Stance& stance, Stage* stage) {
+  constexpr double kApart = 0.2, kHigher = 0.08;  // of the height of the hips above the toes
+  const auto feet = stage->FeetOf(stance, Vec3::Zero());
+  const double yaw = stance.angles[0] * kDegree;
+  const Vec3 apart = feet[0] - feet[1], forward(std::cos(yaw), std::sin(yaw), 0.0);
+  const double height = std::max(-feet[0].z(), -feet[1].z());
+  return std::abs(forward.dot(apart)) < kApart * height && std::abs(apart.z()) < kHigher * height;
 }
 
 Result<Done> SetRoots(const JumpSpots& spots, Stage* stage, JumpPlan* plan) {

@@ -43,6 +43,8 @@ struct JumpBody {
   std::vector<NamedJumpHinge> hinges;
   std::array<std::optional<JointIndex>, 2> hips, ankles, toes;
   std::array<std::string, 2> feet;  // joints that stand on the ground: toes, feet or shins
+  // Hinges of the legs that do not jump: they turn a leg aside or about itself.
+  std::vector<JointIndex> aside;
 
   const NamedJumpHinge* Find(JointIndex joint) const;
   // Errors: kSchema if it has not what a jump needs.
@@ -61,6 +63,8 @@ class Stage {
   Vec3 ComOf(const Stance& stance, const Vec3& root);
   // Returns the middle of the toes.
   Vec3 ToesOf(const Stance& stance, const Vec3& root);
+  // Returns the right one's and the left one's place.
+  std::array<Vec3, 2> FeetOf(const Stance& stance, const Vec3& root);
   // Returns the CoM if the middle of the toes is there.
   Vec3 ComOver(const Vec3& toes, const Stance& stance);
 
@@ -88,6 +92,7 @@ struct JumpPlan {
   Vec3 root_before, root_after;  // and where
   // Rates of the stances at take-off and landing, per second; others have none.
   std::array<std::optional<Stance>, kNumJumpPhases> rates;
+  size_t foot = 0;  // on which it stands until it takes off: 0 the right one, 1 the left one
 };
 
 JumpReport ReportOf(const JumpPlan& plan, double height);
@@ -96,6 +101,10 @@ JumpReport ReportOf(const JumpPlan& plan, double height);
 struct JumpLengths {
   int crouch = 0, rise = 0;  // frames to the crouch, and from the lowest pose until it stands
 };
+
+// Whether the feet are about beside each other and equally high: else, as in a stride, it brings
+// them together before it jumps.
+bool StandsOnBothFeet(const Stance& stance, Stage* stage);
 
 // Places of the middle of its toes until take-off, and from the landing on [m].
 struct JumpSpots {
@@ -122,21 +131,35 @@ struct JumpPins {
 // figure then.
 Result<Done> PutJump(const JumpPlan& plan, JumpPins pins, Project* project);
 
+// What a jump may ask of the legs.
+enum class Push {
+  kOfPeople,  // what people's can give and take
+  kAny,       // whatever the flight needs; effort says how much that is
+};
+
 // Sets roots and frames as SetRoots and SetTimes do, leans at take-off and landing that suit the
 // flight, and the rates there, of a plan whose stances are those of kJumpHinges. Errors: theirs,
 // and kSchema if the legs cannot give or take that flight's speed.
 Result<Done> PlanContacts(const Animation& animation, const JumpSpots& spots, double height,
-                          const JumpLengths& lengths, Stage* stage, JumpPlan* plan);
+                          const JumpLengths& lengths, Push push, Stage* stage, JumpPlan* plan);
 
 // Keys the planned rates and leans at take-off and landing where keys there have rates. Other
 // curves stay as they are.
 void KeyContacts(const JumpPlan& plan, const JumpBody& body, const Figure& figure,
                  Project* project);
 
-// Jumps so high [m] in a project, which it changes.
-using JumpSoHigh = std::function<Result<JumpReport>(double height, Project* project)>;
-// Jumps as high as is given or, if no height is, as low as it gets there.
-Result<MadeJump> JumpAsLow(std::optional<double> height, const JumpSoHigh& jump,
-                           const Project& project);
+// A way to jump.
+struct JumpTry {
+  double height = 0.0;   // of the CoM above take-off [m]
+  double stretch = 1.0;  // share of what the feet go on stretching after take-off
+  Push push = Push::kOfPeople;
+};
+// Jumps so in a project, which it changes.
+using JumpSo = std::function<Result<JumpReport>(const JumpTry& how, Project* project)>;
+// Jumps as high as is given or, if no height is, as low as it gets there; with the next of the
+// stretches where feet would touch the ground again; and, if no height is given, with legs that
+// give more than people's where no other way is left.
+Result<MadeJump> JumpAsLow(std::optional<double> height, const std::vector<double>& stretches,
+                           const JumpSo& jump, const Project& project);
 
 }  // namespace hazumi::makers
