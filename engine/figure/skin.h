@@ -24,6 +24,8 @@ struct Material {
   std::string name;
   std::array<float, 4> base_color = {0.8f, 0.8f, 0.8f, 1.0f};  // linear RGB, alpha
   int texture = -1;                                            // index of a texture, or none
+  std::array<float, 3> emission = {0.0f, 0.0f, 0.0f};          // linear RGB, seen without light
+  int emission_texture = -1;                                   // times it: index, or none
   bool operator==(const Material&) const = default;
 };
 
@@ -39,6 +41,7 @@ struct SkinMesh {
   std::vector<Bind> binds;
   std::vector<Eigen::Vector3f> positions, normals;    // normals: as many, unit
   std::vector<Eigen::Vector2f> texture_coordinates;   // as many, or none; v downwards as in glTF
+  std::vector<Eigen::Vector3f> colors;                // as many, or none; linear RGB, a factor
   std::vector<std::array<uint16_t, 4>> bind_indices;  // as many; into `binds`
   std::vector<std::array<float, 4>> weights;          // as many; sums are 1
   std::vector<std::array<uint32_t, 3>> triangles;     // counter-clockwise outside

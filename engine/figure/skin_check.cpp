@@ -28,12 +28,14 @@ Result<Done> CheckLengths(const SkinMesh& mesh, const std::string& place) {
   if (mesh.weights.size() != n) return wrong("weights", mesh.weights.size());
   const size_t places = mesh.texture_coordinates.size();
   if (places != 0 && places != n) return wrong("texture_coordinates", places);
+  if (!mesh.colors.empty() && mesh.colors.size() != n) return wrong("colors", mesh.colors.size());
   return Done{};
 }
 
 bool IsFinite(const SkinMesh& mesh, size_t i) {
   return mesh.positions[i].allFinite() && mesh.normals[i].allFinite() &&
-         (mesh.texture_coordinates.empty() || mesh.texture_coordinates[i].allFinite());
+         (mesh.texture_coordinates.empty() || mesh.texture_coordinates[i].allFinite()) &&
+         (mesh.colors.empty() || mesh.colors[i].allFinite());
 }
 
 // A little more than 1 is left by rounding to fewer digits.
@@ -100,6 +102,9 @@ Result<Done> CheckSkin(const Skin& skin) {
   for (size_t i = 0; i < skin.materials.size(); ++i) {
     if (!IsIndexOrNone(skin.materials[i].texture, skin.textures.size())) {
       return WrongSkin(Item("materials", i) + ".texture", "there is no such texture");
+    }
+    if (!IsIndexOrNone(skin.materials[i].emission_texture, skin.textures.size())) {
+      return WrongSkin(Item("materials", i) + ".emission_texture", "there is no such texture");
     }
   }
   for (size_t i = 0; i < skin.meshes.size(); ++i) {

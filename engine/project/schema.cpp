@@ -89,7 +89,15 @@ constexpr const char* kOwnSkin = R"({
             "minItems": 4,
             "maxItems": 4
           },
-          "texture": {"type": "integer", "minimum": -1, "description": "-1: none."}
+          "texture": {"type": "integer", "minimum": -1, "description": "-1: none."},
+          "emission": {
+            "description": "Linear red, green and blue that are seen without light.",
+            "type": "array",
+            "items": {"type": "number"},
+            "minItems": 3,
+            "maxItems": 3
+          },
+          "emission_texture": {"type": "integer", "minimum": -1, "description": "A factor of emission; -1: none."}
         }
       }
     },
@@ -132,6 +140,7 @@ constexpr const char* kSkinMesh = R"({
     "positions": {"$ref": "#/definitions/bytes", "description": "3 floats a vertex."},
     "normals": {"$ref": "#/definitions/bytes", "description": "3 floats a vertex."},
     "texture_coordinates": {"$ref": "#/definitions/bytes", "description": "2 floats a vertex, v downwards, or empty."},
+    "colors": {"$ref": "#/definitions/bytes", "description": "3 floats a vertex, linear red, green and blue: a factor of the material's colour."},
     "bind_indices": {"$ref": "#/definitions/bytes", "description": "4 16-bit numbers a vertex."},
     "weights": {"$ref": "#/definitions/bytes", "description": "4 floats a vertex, whose sum is 1."},
     "triangles": {"$ref": "#/definitions/bytes", "description": "3 32-bit numbers each."}

@@ -22,13 +22,26 @@ Json Bytes(const std::vector<T>& values) {
 }
 
 template <typename T>
-void ReadBytes(FieldReader& in, const char* name, std::vector<T>& values) {
-  std::string text;
-  in.Required({name}, text);
+void TakeBytes(FieldReader& in, const char* name, const std::string& text, std::vector<T>& values) {
   const std::optional<std::string> bytes = FromBase64(text);
   if (!bytes || bytes->size() % sizeof(T) != 0) return in.At(name).Report(Check::kNotBytes);
   values.resize(bytes->size() / sizeof(T));
   if (!bytes->empty()) std::memcpy(static_cast<void*>(values.data()), bytes->data(), bytes->size());
+}
+
+template <typename T>
+void ReadBytes(FieldReader& in, const char* name, std::vector<T>& values) {
+  std::string text;
+  in.Required({name}, text);
+  TakeBytes(in, name, text, values);
+}
+
+// Not given: empty.
+template <typename T>
+void ReadOptionalBytes(FieldReader& in, const char* name, std::vector<T>& values) {
+  std::string text;
+  in.Optional({name}, text);
+  TakeBytes(in, name, text, values);
 }
 
 Json ToJson(const SkinBone& bone) {
@@ -47,22 +60,28 @@ Json ToJson(const SkinMesh::Bind& bind) {
 Json ToJson(const SkinMesh& mesh) {
   Json binds = Json::array();
   for (const SkinMesh::Bind& bind : mesh.binds) binds.push_back(ToJson(bind));
-  return {{"name", mesh.name},
-          {"material", mesh.material},
-          {"binds", std::move(binds)},
-          {"positions", Bytes(mesh.positions)},
-          {"normals", Bytes(mesh.normals)},
-          {"texture_coordinates", Bytes(mesh.texture_coordinates)},
-          {"bind_indices", Bytes(mesh.bind_indices)},
-          {"weights", Bytes(mesh.weights)},
-          {"triangles", Bytes(mesh.triangles)}};
+  Json json = {{"name", mesh.name},
+               {"material", mesh.material},
+               {"binds", std::move(binds)},
+               {"positions", Bytes(mesh.positions)},
+               {"normals", Bytes(mesh.normals)},
+               {"texture_coordinates", Bytes(mesh.texture_coordinates)},
+               {"bind_indices", Bytes(mesh.bind_indices)},
+               {"weights", Bytes(mesh.weights)},
+               {"triangles", Bytes(mesh.triangles)}};
+  if (!mesh.colors.empty()) json["colors"] = Bytes(mesh.colors);
+  return json;
 }
 
 Json ToJson(const Material& material) {
   const auto& c = material.base_color;
-  return {{"name", material.name},
-          {"base_color", Json::array({c[0], c[1], c[2], c[3]})},
-          {"texture", material.texture}};
+  Json json = {{"name", material.name},
+               {"base_color", Json::array({c[0], c[1], c[2], c[3]})},
+               {"texture", material.texture}};
+  const auto& e = material.emission;
+  if (e != Material().emission) json["emission"] = Json::array({e[0], e[1], e[2]});
+  if (material.emission_texture >= 0) json["emission_texture"] = material.emission_texture;
+  return json;
 }
 
 Json ToJson(const Texture& texture) {
@@ -100,6 +119,7 @@ static void Describe(FieldReader& in, SkinMesh& mesh) {
   ReadBytes(in, "positions", mesh.positions);
   ReadBytes(in, "normals", mesh.normals);
   ReadBytes(in, "texture_coordinates", mesh.texture_coordinates);
+  ReadOptionalBytes(in, "colors", mesh.colors);
   ReadBytes(in, "bind_indices", mesh.bind_indices);
   ReadBytes(in, "weights", mesh.weights);
   ReadBytes(in, "triangles", mesh.triangles);
@@ -110,7 +130,11 @@ static void Describe(FieldReader& in, Material& material) {
   in.Required({"name"}, material.name);
   in.Required({"base_color"}, color);
   in.Required({"texture"}, material.texture);
+  std::array<double, 3> emission{};
+  in.Optional({"emission"}, emission);
+  in.Optional({"emission_texture"}, material.emission_texture, -1);
   for (size_t i = 0; i < 4; ++i) material.base_color[i] = static_cast<float>(color[i]);
+  for (size_t i = 0; i < 3; ++i) material.emission[i] = static_cast<float>(emission[i]);
 }
 
 static void Describe(FieldReader& in, Texture& texture) {

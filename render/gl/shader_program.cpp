@@ -39,6 +39,7 @@ ShaderProgram::ShaderProgram(const GlFunctions& gl, const std::string& defines,
   gl.BindAttribLocation(id_, 1, "a_1");
   gl.BindAttribLocation(id_, 2, "a_2");
   gl.BindAttribLocation(id_, 3, "a_3");
+  gl.BindAttribLocation(id_, 4, "a_4");
   gl.LinkProgram(id_);
   DemandLinked(gl, id_);
   for (const GLuint shader : shaders) gl.DeleteShader(shader);

@@ -1,6 +1,6 @@
 // Light on solids, in linear colour c:
 //   c * (key * lit * wrap(n.l) + mix(below, above, n.z) + fill * max(n.f, 0))
-//     + lit * gloss * Blinn-Phong + rim * (1 - n.v)^3
+//     + lit * gloss * Blinn-Phong + rim * (1 - n.v)^3 + emission
 // key light with a wrap that softens the terminator, ambient light from sky and floor, a weak fill
 // from the viewer's side, and a rim of sky light that parts the figure from the background.
 
@@ -23,6 +23,10 @@ out vec4 tint;
 in vec2 a_3;
 out vec2 texture_at;
 #endif
+#ifdef COLORED
+in vec3 a_4;
+out vec3 vertex_linear;
+#endif
 #else
 flat out vec4 color;
 #endif
@@ -38,6 +42,9 @@ void main() {
   tint = a_2;
 #ifdef TEXTURED
   texture_at = a_3;
+#endif
+#ifdef COLORED
+  vertex_linear = a_4;
 #endif
 #else
   color = a_2;
@@ -69,6 +76,15 @@ in vec4 tint;
 #ifdef TEXTURED
 uniform sampler2D base_texture;
 in vec2 texture_at;
+#endif
+#ifdef COLORED
+in vec3 vertex_linear;
+#endif
+#ifdef EMISSIVE
+uniform vec4 emission_linear;
+#ifdef TEXTURED
+uniform sampler2D emission_texture;
+#endif
 #endif
 #else
 flat in vec4 color;
@@ -109,6 +125,9 @@ void main() {
 #ifdef CUTOUT
   if (texel.a < 0.5) discard;
 #endif
+#ifdef COLORED
+  texel.rgb *= max(vertex_linear, 0.0);
+#endif
   // Mixed about as seen: roots are near to displayed colours.
   vec3 root = sqrt(texel.rgb * base_linear.rgb) * (1.0 - tint.a) + tint.rgb;
   vec4 color = vec4(root * root, alpha);
@@ -133,6 +152,13 @@ void main() {
                fill_linear.rgb * max(dot(n, to_fill.xyz), 0.0);
   vec3 c = color.rgb * light + key_linear.rgb * (0.085 * lit * gloss) +
            rim_linear.rgb * (rim * (0.6 + 0.4 * n.z));
+#ifdef EMISSIVE
+  vec3 emission = emission_linear.rgb;
+#ifdef TEXTURED
+  emission *= texture(emission_texture, texture_at).rgb;
+#endif
+  c += emission * (1.0 - tint.a);
+#endif
   picture = vec4(Encode(c), mix(1.0, color.a * mix(0.55, 1.0, grazing), ghost));
 }
 )";

@@ -20,6 +20,22 @@ std::vector<Eigen::Vector2f> TexturePlacesOf(const SkinModel& model) {
   return places;
 }
 
+// White where a mesh has none; empty if none has.
+std::vector<Eigen::Vector3f> ColorsOf(const SkinModel& model) {
+  const std::vector<SkinMesh>& meshes = model.skin->meshes;
+  const auto is_plain = [](const SkinMesh& mesh) { return mesh.colors.empty(); };
+  std::vector<Eigen::Vector3f> colors;
+  if (std::all_of(meshes.begin(), meshes.end(), is_plain)) return colors;
+  colors.reserve(model.num_vertices);
+  for (const SkinMesh& mesh : meshes) {
+    colors.insert(colors.end(), mesh.colors.begin(), mesh.colors.end());
+    if (is_plain(mesh)) {
+      colors.resize(colors.size() + mesh.positions.size(), Eigen::Vector3f::Ones());
+    }
+  }
+  return colors;
+}
+
 template <typename T>
 GlBuffer Filled(const GlFunctions& gl, const std::vector<T>& data) {
   GlBuffer buffer(gl);
@@ -67,6 +83,9 @@ SkinBuffers::SkinBuffers(const GlFunctions& gl, const std::shared_ptr<const Skin
       model_(model),
       texture_places_(Filled(gl, TexturePlacesOf(*model))),
       indices_(Filled(gl, model->indices)) {
+  if (const std::vector<Eigen::Vector3f> colors = ColorsOf(*model); !colors.empty()) {
+    colors_.emplace(Filled(gl, colors));
+  }
   for (const Image& image : model->textures) textures_.push_back(TextureOf(gl, image));
   textures_.push_back(TextureOf(gl, White()));
 }
@@ -88,6 +107,9 @@ SkinBuffers::PosedBuffers SkinBuffers::MakePose() const {
   attribute(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, kStride, offsetof(SkinnedVertex, tint));
   gl_->BindBuffer(GL_ARRAY_BUFFER, texture_places_.id());
   attribute(3, 2, GL_FLOAT, GL_FALSE, 0, 0);
+  if (!colors_) return pose;
+  gl_->BindBuffer(GL_ARRAY_BUFFER, colors_->id());
+  attribute(4, 3, GL_FLOAT, GL_FALSE, 0, 0);
   return pose;
 }
 
@@ -99,10 +121,10 @@ size_t SkinBuffers::AddPose(const std::vector<SkinnedVertex>& vertices) {
   return num_posed_++;
 }
 
-void SkinBuffers::BindTexture(const SkinModel::Part& part) const {
-  const GlTexture& texture =
-      part.texture < 0 ? textures_.back() : textures_[static_cast<size_t>(part.texture)];
-  gl_->BindTexture(GL_TEXTURE_2D, texture.id());
+void SkinBuffers::BindTexture(int texture) const {
+  const GlTexture& wanted =
+      texture < 0 ? textures_.back() : textures_[static_cast<size_t>(texture)];
+  gl_->BindTexture(GL_TEXTURE_2D, wanted.id());
 }
 
 void SkinBuffers::DrawLevel(const SkinModel::Level& level) const {

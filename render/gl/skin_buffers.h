@@ -25,8 +25,8 @@ class SkinBuffers {
   size_t AddPose(const std::vector<SkinnedVertex>& vertices);
 
   void BindPose(size_t pose) const { gl_->BindVertexArray(poses_[pose].array.id()); }
-  // Of a part, or white, to the active texture unit.
-  void BindTexture(const SkinModel::Part& part) const;
+  // One of the model's, or white for -1, to the active texture unit.
+  void BindTexture(int texture) const;
   // Of the pose that is bound.
   void DrawLevel(const SkinModel::Level& level) const;
 
@@ -40,6 +40,7 @@ class SkinBuffers {
   const GlFunctions* gl_;
   std::weak_ptr<const SkinModel> model_;
   GlBuffer texture_places_, indices_;
+  std::optional<GlBuffer> colors_;   // if a mesh has any
   std::vector<GlTexture> textures_;  // by Skin::textures; the last one is white
   std::vector<PosedBuffers> poses_;
   size_t num_posed_ = 0;

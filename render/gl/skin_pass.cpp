@@ -12,6 +12,8 @@ namespace {
 
 constexpr GLenum kTextureUnit = GL_TEXTURE2;
 constexpr int kTextureSampler = 2;
+constexpr GLenum kEmissionUnit = GL_TEXTURE4;
+constexpr int kEmissionSampler = 4;
 
 bool IsGhost(const SkinnedFigure& figure, const SkinModel::Part& part) {
   return figure.AlphaOf(part) < 1.0f;
@@ -21,7 +23,6 @@ constexpr SkinModel::Surface kSurfaces[] = {SkinModel::Surface::kClosed, SkinMod
                                             SkinModel::Surface::kCutout};
 constexpr const char* kDefines[] = {"#define SKIN\n", "#define SKIN\n#define TWO_SIDED\n",
                                     "#define SKIN\n#define TWO_SIDED\n#define CUTOUT\n"};
-constexpr const char* kTextured = "#define TEXTURED\n";
 
 PictureBounds BoundsOf(const SkinModel& model, const std::vector<SkinnedVertex>& vertices,
                        const Projector& projector) {
@@ -42,11 +43,22 @@ SkinBuffers& SkinPass::BuffersOf(const std::shared_ptr<const SkinModel>& model) 
   return *buffers_.back();
 }
 
-ShaderProgram& SkinPass::Lit(Surface surface, bool is_textured) {
+SkinPass::Finish SkinPass::FinishOf(const SkinModel::Part& part) {
+  const bool shines = part.emission != std::array<float, 3>{0.0f, 0.0f, 0.0f};
+  const bool is_textured = part.texture >= 0 || (shines && part.emission_texture >= 0);
+  return {is_textured, part.has_colors, shines};
+}
+
+ShaderProgram& SkinPass::Lit(Surface surface, const Finish& finish) {
   const auto i = static_cast<size_t>(surface);
-  std::optional<ShaderProgram>& program = lit_[i + (is_textured ? std::size(kDefines) : 0)];
+  const size_t number =
+      (finish.is_textured ? 1u : 0u) + (finish.has_colors ? 2u : 0u) + (finish.shines ? 4u : 0u);
+  std::optional<ShaderProgram>& program = lit_[kNumFinishes * i + number];
   if (!program) {
-    const std::string defines = kDefines[i] + std::string(is_textured ? kTextured : "");
+    std::string defines = kDefines[i];
+    if (finish.is_textured) defines += "#define TEXTURED\n";
+    if (finish.has_colors) defines += "#define COLORED\n";
+    if (finish.shines) defines += "#define EMISSIVE\n";
     program.emplace(*gl_, defines, shaders::kSolidVertex, shaders::kSolidFragment);
   }
   return *program;
@@ -125,7 +137,7 @@ void SkinPass::DrawDepth(SolidKind kind, Side side, const Mat4& clip_from_world)
     program.Set("clip_from_world", clip_from_world);
     if (surface == Surface::kCutout) program.Set("base_texture", kTextureSampler);
     ForEachPart(kind, surface, side, [&](const Posed& posed, const SkinModel::Part& part) {
-      if (surface == Surface::kCutout) posed.buffers->BindTexture(part);
+      if (surface == Surface::kCutout) posed.buffers->BindTexture(part.texture);
       return true;
     });
   }
@@ -134,27 +146,43 @@ void SkinPass::DrawDepth(SolidKind kind, Side side, const Mat4& clip_from_world)
 void SkinPass::DrawLit(SolidKind kind, const Scene& scene, const FrameView& view) {
   if (posed_.empty()) return;
   for (const Surface surface : kSurfaces) {
-    for (const bool is_textured : {false, true}) DrawLit(kind, surface, is_textured, scene, view);
+    for (const bool is_textured : {false, true}) {
+      for (const bool has_colors : {false, true}) {
+        for (const bool shines : {false, true}) {
+          DrawLit(kind, surface, {is_textured, has_colors, shines}, scene, view);
+        }
+      }
+    }
   }
 }
 
-void SkinPass::DrawLit(SolidKind kind, Surface surface, bool is_textured, const Scene& scene,
+void SkinPass::DrawLit(SolidKind kind, Surface surface, const Finish& finish, const Scene& scene,
                        const FrameView& view) {
   const ShaderProgram* program = nullptr;  // until a part needs it
   ForEachPart(kind, surface, Side::kSeen, [&](const Posed& posed, const SkinModel::Part& part) {
-    if ((part.texture >= 0) != is_textured) return false;
+    if (FinishOf(part) != finish) return false;
     if (program == nullptr) {
-      program = &Lit(surface, is_textured);
+      program = &Lit(surface, finish);
       program->Use();
       SetSolidLight(*program, scene, view);
       program->Set("ghost", kind == SolidKind::kGhost ? 1.0f : 0.0f);
       program->Set("shadow_map", 0);
-      if (is_textured) program->Set("base_texture", kTextureSampler);
+      if (finish.is_textured) program->Set("base_texture", kTextureSampler);
+      if (finish.is_textured && finish.shines) program->Set("emission_texture", kEmissionSampler);
     }
     const std::array<float, 4>& c = part.base_color;
     program->Set("base_linear", LinearColor{c[0], c[1], c[2], c[3]});
     program->Set("alpha", posed.figure->AlphaOf(part));
-    if (is_textured) posed.buffers->BindTexture(part);
+    if (finish.is_textured) posed.buffers->BindTexture(part.texture);
+    if (finish.shines) {
+      const std::array<float, 3>& e = part.emission;
+      program->Set("emission_linear", LinearColor{e[0], e[1], e[2], 1.0f});
+    }
+    if (finish.is_textured && finish.shines) {
+      gl_->ActiveTexture(kEmissionUnit);
+      posed.buffers->BindTexture(part.emission_texture);
+      gl_->ActiveTexture(kTextureUnit);
+    }
     return true;
   });
 }

@@ -38,12 +38,20 @@ class SkinPass {
   };
   using Surface = SkinModel::Surface;
   enum class Side { kSeen, kAway };  // of closed surfaces
+  // What a part's light is made of; each has its own program.
+  struct Finish {
+    bool is_textured = false, has_colors = false, shines = false;
+    bool operator==(const Finish&) const = default;
+  };
+  static constexpr int kNumFinishes = 8;
+
+  static Finish FinishOf(const SkinModel::Part& part);
 
   SkinBuffers& BuffersOf(const std::shared_ptr<const SkinModel>& model);
-  ShaderProgram& Lit(Surface surface, bool is_textured);
+  ShaderProgram& Lit(Surface surface, const Finish& finish);
   ShaderProgram& Depth(Surface surface);
   void DrawDepth(SolidKind kind, Side side, const Mat4& clip_from_world);
-  void DrawLit(SolidKind kind, Surface surface, bool is_textured, const Scene& scene,
+  void DrawLit(SolidKind kind, Surface surface, const Finish& finish, const Scene& scene,
                const FrameView& view);
   // Draws the parts of which `visit` says so.
   template <typename Visit>
@@ -52,8 +60,8 @@ class SkinPass {
   void Cull(const SkinModel::Part& part, Side side) const;
 
   const GlFunctions* gl_ = nullptr;
-  // By Surface, those for textures after the others; compiled when first needed.
-  std::array<std::optional<ShaderProgram>, 6> lit_;
+  // By Surface, for each finish; compiled when first needed.
+  std::array<std::optional<ShaderProgram>, 3 * kNumFinishes> lit_;
   std::array<std::optional<ShaderProgram>, 3> depth_;
   std::vector<std::unique_ptr<SkinBuffers>> buffers_;
   std::vector<Posed> posed_;

@@ -50,10 +50,15 @@ SkinModel::Part PartOf(const SkinModel& model, const SkinMesh& mesh) {
       mesh.material < 0 ? Material() : model.skin->materials[static_cast<size_t>(mesh.material)];
   SkinModel::Part part;
   part.base_color = material.base_color;
-  part.texture = material.texture;
-  const bool has_texture = part.texture >= 0 && !mesh.texture_coordinates.empty() &&
-                           model.textures[static_cast<size_t>(part.texture)].width > 0;
-  if (!has_texture) part.texture = -1;
+  const auto seen = [&](int texture) {
+    const bool is_seen = texture >= 0 && !mesh.texture_coordinates.empty() &&
+                         model.textures[static_cast<size_t>(texture)].width > 0;
+    return is_seen ? texture : -1;
+  };
+  part.texture = seen(material.texture);
+  part.has_colors = !mesh.colors.empty();
+  part.emission = material.emission;
+  part.emission_texture = seen(material.emission_texture);
   part.is_mirrored =
       !mesh.binds.empty() && mesh.binds[0].inverse_bind.topLeftCorner<3, 3>().determinant() < 0.0;
   return part;

@@ -40,9 +40,12 @@ struct SkinModel {
   struct Part {
     std::vector<Level> levels;  // all triangles first, then fewer and fewer (skin_triangles.h)
     Surface surface = Surface::kOpen;
-    bool is_mirrored = false;         // the binds turn the winding around
-    std::array<float, 4> base_color;  // linear RGB, alpha
-    int texture = -1;                 // one that has pixels, or none
+    bool is_mirrored = false;                            // the binds turn the winding around
+    std::array<float, 4> base_color;                     // linear RGB, alpha
+    int texture = -1;                                    // one that has pixels, or none
+    bool has_colors = false;                             // of its vertices
+    std::array<float, 3> emission = {0.0f, 0.0f, 0.0f};  // linear RGB
+    int emission_texture = -1;                           // as texture
   };
 
   std::shared_ptr<const Skin> skin;

@@ -7,7 +7,7 @@ namespace hazumi {
 namespace {
 
 constexpr uint32_t kMagic = 0x43'4d'5a'48;  // "HZMC"
-constexpr uint32_t kVersion = 3;
+constexpr uint32_t kVersion = 4;
 enum : uint8_t { kIsError = 0, kIsCharacter = 1 };
 
 class CharacterWriter : public ByteWriter {
@@ -105,6 +105,8 @@ void Visit(Archive& a, Material& material) {
   a.Text(material.name);
   a.Value(material.base_color);
   a.Value(material.texture);
+  a.Value(material.emission);
+  a.Value(material.emission_texture);
 }
 
 template <typename Archive>
@@ -120,6 +122,7 @@ void Visit(Archive& a, SkinMesh& mesh) {
   a.Flat(mesh.positions);
   a.Flat(mesh.normals);
   a.Flat(mesh.texture_coordinates);
+  a.Flat(mesh.colors);
   a.Flat(mesh.bind_indices);
   a.Flat(mesh.weights);
   a.Flat(mesh.triangles);

@@ -125,7 +125,8 @@ class Checker {
     const std::string place = "mesh " + (mesh.name.empty() ? std::to_string(index) : mesh.name);
     const size_t n = mesh.positions.size();
     if (mesh.normals.size() != n || mesh.bind_indices.size() != n || mesh.weights.size() != n ||
-        (!mesh.texture_coordinates.empty() && mesh.texture_coordinates.size() != n))
+        (!mesh.texture_coordinates.empty() && mesh.texture_coordinates.size() != n) ||
+        (!mesh.colors.empty() && mesh.colors.size() != n))
       return Say(place, "its vertices' lists differ in length");
     for (const SkinMesh::Bind& bind : mesh.binds) {
       if (bind.bone < 0 || static_cast<size_t>(bind.bone) >= c_.bones.size() ||
@@ -143,7 +144,8 @@ class Checker {
 
   void CheckVertex(const SkinMesh& mesh, size_t v, const std::string& place) {
     if (!IsLength(mesh.positions[v].cast<double>()) || !mesh.normals[v].allFinite() ||
-        (!mesh.texture_coordinates.empty() && !mesh.texture_coordinates[v].allFinite()))
+        (!mesh.texture_coordinates.empty() && !mesh.texture_coordinates[v].allFinite()) ||
+        (!mesh.colors.empty() && !mesh.colors[v].allFinite()))
       Say(place, "a vertex is not a number of sensible size");
     float sum = 0.0f;
     for (size_t k = 0; k < 4; ++k) {
@@ -157,7 +159,12 @@ class Checker {
   void CheckMaterial(const Material& material) {
     for (const float part : material.base_color)
       if (!std::isfinite(part)) Say("material " + material.name, "its colour is not a number");
-    if (material.texture < -1 || material.texture >= static_cast<int>(c_.textures.size()))
+    for (const float part : material.emission)
+      if (!std::isfinite(part)) Say("material " + material.name, "its emission is not a number");
+    const auto is_there = [&](int texture) {
+      return texture >= -1 && texture < static_cast<int>(c_.textures.size());
+    };
+    if (!is_there(material.texture) || !is_there(material.emission_texture))
       Say("material " + material.name, "its texture is not there");
   }
 

@@ -19,7 +19,7 @@ const char* MimeTypeOf(std::string_view bytes) {
 
 int GltfMaterials::Number(int material, bool with_texture) {
   const Material& from = character_.materials[static_cast<size_t>(material)];
-  with_texture = with_texture && from.texture >= 0;
+  with_texture = with_texture && (from.texture >= 0 || from.emission_texture >= 0);
   const auto [entry, is_new] =
       material_numbers_.try_emplace({material, with_texture}, static_cast<int>(materials_.size()));
   if (!is_new) return entry->second;
@@ -27,11 +27,30 @@ int GltfMaterials::Number(int material, bool with_texture) {
   for (const float x : from.base_color) color.push_back(std::clamp(x, 0.0f, 1.0f));
   GltfJson surface = {
       {"baseColorFactor", color}, {"metallicFactor", 0.0}, {"roughnessFactor", kRoughness}};
-  if (with_texture) surface["baseColorTexture"] = {{"index", TextureNumber(from.texture)}};
+  if (with_texture && from.texture >= 0) {
+    surface["baseColorTexture"] = {{"index", TextureNumber(from.texture)}};
+  }
   GltfJson written = {{"name", from.name}, {"pbrMetallicRoughness", surface}};
+  const float brightest = *std::max_element(from.emission.begin(), from.emission.end());
+  if (brightest > 0.0f) AddEmission(from, std::max(brightest, 1.0f), with_texture, &written);
   if (from.base_color[3] < 1.0f) written["alphaMode"] = "BLEND";
   materials_.push_back(std::move(written));
   return entry->second;
+}
+
+// A factor is at most 1; what is brighter takes an extension.
+void GltfMaterials::AddEmission(const Material& from, float strength, bool with_texture,
+                                GltfJson* written) {
+  GltfJson color = GltfJson::array();
+  for (const float x : from.emission) color.push_back(x / strength);
+  (*written)["emissiveFactor"] = std::move(color);
+  if (with_texture && from.emission_texture >= 0) {
+    (*written)["emissiveTexture"] = {{"index", TextureNumber(from.emission_texture)}};
+  }
+  if (strength == 1.0f) return;
+  (*written)["extensions"] = {
+      {"KHR_materials_emissive_strength", {{"emissiveStrength", strength}}}};
+  has_bright_ = true;
 }
 
 int GltfMaterials::TextureNumber(int texture) {

@@ -107,6 +107,9 @@ GltfJson GltfMesh(const SkinMesh& mesh, GltfBuffer* buffer) {
     attributes["TEXCOORD_0"] =
         buffer->AddFloats(Flat(mesh.texture_coordinates), 2, GltfUse::kVertices);
   }
+  if (!mesh.colors.empty()) {
+    attributes["COLOR_0"] = buffer->AddFloats(Flat(mesh.colors), 3, GltfUse::kVertices);
+  }
   if (!mesh.binds.empty()) AddInfluences(mesh, buffer, &attributes);
   GltfJson primitive = {{"attributes", attributes}, {"indices", AddTriangles(mesh, buffer)}};
   return {{"name", mesh.name}, {"primitives", GltfJson::array({primitive})}};

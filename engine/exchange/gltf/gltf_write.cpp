@@ -161,6 +161,7 @@ class GltfWriter {
     Put("materials", materials_.materials());
     Put("textures", materials_.textures());
     Put("images", materials_.images());
+    if (materials_.has_bright()) json_["extensionsUsed"] = {"KHR_materials_emissive_strength"};
     Put("animations", animations_);
     Put("accessors", buffer_.accessors());
     Put("bufferViews", buffer_.views());

@@ -71,6 +71,7 @@ SkinMesh PartOf(const SkinMesh& part, const std::string& name, const FileAxes& a
   mesh.name = name;
   mesh.triangles = part.triangles;
   mesh.texture_coordinates = part.texture_coordinates;
+  mesh.colors = part.colors;
   for (size_t v = 0; v < part.positions.size(); ++v) {
     const Eigen::Matrix4d M = part.BindOf(v);
     AddVertex(PointBy(M, part.positions[v]), NormalBy(M, part.normals[v]), axes, &mesh);

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "engine/base/base64.h"
 #include "engine/exchange/gltf_reader/gltf_scene.h"
 
@@ -39,9 +41,21 @@ void AddGltfMaterials(const GltfDocument& document, GltfAccessors* accessors, Sc
     const Json& surface = Member(from, "pbrMetallicRoughness");
     const std::vector<double> color = Numbers(Member(surface, "baseColorFactor"), 4);
     for (size_t k = 0; k < color.size(); ++k) material.base_color[k] = static_cast<float>(color[k]);
-    const Json& texture = Element(textures, Member(Member(surface, "baseColorTexture"), "index"));
-    const Json& image = Member(texture, "source");
-    if (Element(images, image).is_object()) material.picture = image.get<int>();
+    const auto picture_of = [&](const Json& reference) {
+      const Json& image = Member(Element(textures, Member(reference, "index")), "source");
+      return Element(images, image).is_object() ? image.get<int>() : -1;
+    };
+    material.picture = picture_of(Member(surface, "baseColorTexture"));
+    const std::vector<double> emission = Numbers(Member(from, "emissiveFactor"), 3);
+    const Json& stronger = Member(
+        Member(Member(from, "extensions"), "KHR_materials_emissive_strength"), "emissiveStrength");
+    const double strength = stronger.is_number() ? stronger.get<double>() : 1.0;
+    for (size_t k = 0; k < emission.size(); ++k) {
+      material.emission[k] = static_cast<float>(strength * emission[k]);
+    }
+    const bool shines = std::any_of(material.emission.begin(), material.emission.end(),
+                                    [](float part) { return part > 0.0f; });
+    if (shines) material.emission_picture = picture_of(Member(from, "emissiveTexture"));
     scene->materials.push_back(std::move(material));
   }
 }

@@ -167,6 +167,8 @@ class MeshAdder {
     if (!normals.ok()) return normals.error();
     const auto coordinates = Attribute(attributes, "TEXCOORD_0", 2, count, place);
     if (!coordinates.ok()) return coordinates.error();
+    if (Result<Done> added = AddColors(attributes, count, place, mesh); !added.ok())
+      return added.error();
     const auto vector = [](const GltfValues& values, size_t v) {
       return Eigen::Vector3d(values.At(v, 0), values.At(v, 1), values.At(v, 2))
           .cast<float>()
@@ -179,6 +181,22 @@ class MeshAdder {
       mesh->texture_coordinates.push_back(
           Eigen::Vector2d(coordinates.value()->At(v, 0), coordinates.value()->At(v, 1))
               .cast<float>());
+    }
+    return Done{};
+  }
+
+  // With or without alpha, which is not drawn.
+  Result<Done> AddColors(const Json& attributes, size_t count, const std::string& place,
+                         SceneMesh* mesh) {
+    if (!attributes.contains("COLOR_0")) return Done{};
+    const Result<GltfValues> values = ValuesOf(attributes, "COLOR_0");
+    if (!values.ok()) return values.error();
+    const GltfValues& colors = values.value();
+    if (colors.count != count || (colors.width != 3 && colors.width != 4))
+      return Wrong(place, "its COLOR_0 are not as many as glTF wants");
+    for (size_t v = 0; v < count; ++v) {
+      mesh->colors.push_back(
+          Eigen::Vector3d(colors.At(v, 0), colors.At(v, 1), colors.At(v, 2)).cast<float>());
     }
     return Done{};
   }

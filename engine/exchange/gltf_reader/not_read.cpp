@@ -25,33 +25,27 @@ class Finder {
 
   void LookAtMeshes() {
     size_t shapes = 0;
-    bool has_colors = false;
     for (const Json& mesh : Member(json_, "meshes")) {
       size_t most = 0;
       for (const Json& primitive : Member(mesh, "primitives")) {
         const Json& targets = Member(primitive, "targets");
         if (targets.is_array()) most = std::max(most, targets.size());
-        has_colors |= !Member(Member(primitive, "attributes"), "COLOR_0").is_null();
       }
       shapes += most;
     }
     Add(shapes == 1, "1 shape (morph target)");
     Add(shapes > 1, std::to_string(shapes) + " shapes (morph targets)");
-    Add(has_colors, "vertex colours");
   }
 
   void LookAtMaterials() {
-    bool normals = false, shines = false, metal = false;
+    bool normals = false, metal = false;
     for (const Json& material : Member(json_, "materials")) {
       normals |= !Member(material, "normalTexture").is_null();
       metal |=
           !Member(Member(material, "pbrMetallicRoughness"), "metallicRoughnessTexture").is_null();
-      shines |= !Member(material, "emissiveTexture").is_null();
-      for (const double part : Numbers(Member(material, "emissiveFactor"), 3)) shines |= part > 0.0;
     }
     Add(normals, "normal maps");
     Add(metal, "metal and roughness maps");
-    Add(shines, "emission");
   }
 
   void LookAtAvatar() {

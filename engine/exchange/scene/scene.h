@@ -43,6 +43,7 @@ struct SceneMesh {
   int material = -1;  // -1: none
   std::vector<Eigen::Vector3f> positions, normals;
   std::vector<Eigen::Vector2f> texture_coordinates;  // v downwards; empty: none
+  std::vector<Eigen::Vector3f> colors;               // linear RGB; empty: none
   std::vector<std::array<uint32_t, 3>> triangles;
   std::vector<Bind> binds;
   bool is_skinned = false;
@@ -64,6 +65,8 @@ struct SceneMaterial {
   std::string name;
   std::array<float, 4> base_color = {0.8f, 0.8f, 0.8f, 1.0f};  // linear RGB, alpha
   int picture = -1;
+  std::array<float, 3> emission = {0.0f, 0.0f, 0.0f};  // linear RGB
+  int emission_picture = -1;
 };
 
 struct Scene {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <string_view>
 
@@ -8,6 +9,7 @@ namespace hazumi {
 namespace {
 
 constexpr size_t kLongestPicture = 64u << 20;
+constexpr float kBrightest = 1e3f;  // of emission
 
 bool IsPicture(const std::vector<uint8_t>& bytes) {
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
@@ -40,7 +42,15 @@ class MaterialReader {
       const float part = from.base_color[k];
       material.base_color[k] = std::isfinite(part) ? std::min(std::max(part, 0.0f), 1.0f) : 1.0f;
     }
-    if (from.picture >= 0) material.texture = TextureOf(from.picture, "material " + material.name);
+    const std::string place = "material " + material.name;
+    if (from.picture >= 0) material.texture = TextureOf(from.picture, place);
+    if (from.emission_picture >= 0) {
+      material.emission_texture = TextureOf(from.emission_picture, place);
+    }
+    for (size_t k = 0; k < 3; ++k) {
+      const float part = from.emission[k];
+      material.emission[k] = std::isfinite(part) ? std::clamp(part, 0.0f, kBrightest) : 0.0f;
+    }
     character_->materials.push_back(std::move(material));
     return static_cast<int>(character_->materials.size()) - 1;
   }

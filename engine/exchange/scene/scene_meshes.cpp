@@ -57,6 +57,7 @@ class MeshReader {
       skin.normals.push_back(is_sound ? normal.normalized() : Eigen::Vector3f::UnitZ());
     }
     skin.texture_coordinates = mesh.texture_coordinates;
+    skin.colors = mesh.colors;
     skin.triangles = mesh.triangles;
     BindVertices(mesh, node, &skin);
     return skin;

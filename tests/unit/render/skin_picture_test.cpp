@@ -105,6 +105,36 @@ TEST_F(SkinPicture, GhostsLetTheBackgroundThroughAndTintsShow) {
   EXPECT_TRUE(IsGreen(At(tinted, 68, 66)));
 }
 
+// Green takes the red out of the texture's upper half, and leaves its lower half green.
+TEST_F(SkinPicture, ColorsOfVerticesAreFactors) {
+  auto skin = std::make_shared<Skin>(*TubeSkin(kLength, 32, 20));
+  SkinMesh& mesh = skin->meshes[0];
+  mesh.colors.assign(mesh.positions.size(), Eigen::Vector3f(0.0f, 1.0f, 0.0f));
+  const Image image = Draw(SceneOf(RestingTube(ModelOf(skin), kLength)));
+  EXPECT_LT(At(image, 68, 30).r, 90);
+  EXPECT_FALSE(IsRed(At(image, 68, 30)));
+  EXPECT_TRUE(IsGreen(At(image, 68, 66)));
+  EXPECT_TRUE(IsGreen(At(image, 60, 30))) << "yellow without its red";
+}
+
+// Blue is added to what the light shows; with the texture as a factor only where that is not black.
+TEST_F(SkinPicture, EmissionIsAdded) {
+  auto skin = std::make_shared<Skin>(*TubeSkin(kLength, 32, 20));
+  const Pixel red = At(Draw(SceneOf(RestingTube(ModelOf(skin), kLength))), 68, 30);
+  skin->materials[0].emission = {0.0f, 0.0f, 0.8f};
+  const Pixel shining = At(Draw(SceneOf(RestingTube(ModelOf(skin), kLength))), 68, 30);
+  EXPECT_GT(shining.b, red.b + 100);
+  EXPECT_NEAR(shining.r, red.r, 2);
+  skin->materials[0].emission = {0.0f, 0.8f, 0.0f};
+  skin->materials[0].emission_texture = 0;
+  const Image image = Draw(SceneOf(RestingTube(ModelOf(skin), kLength)));
+  EXPECT_NEAR(At(image, 68, 30).g, red.g, 30) << "the texture is red there";
+  EXPECT_GT(At(image, 68, 66).g, 200) << "green there";
+  skin->meshes[0].texture_coordinates.clear();
+  EXPECT_GT(At(Draw(SceneOf(RestingTube(ModelOf(skin), kLength))), 68, 30).g, 180)
+      << "without places in it there is no texture";
+}
+
 // A box of 0.5 m around the origin of the bone "lower", with flat faces; its normals are outward.
 std::shared_ptr<Skin> BoxSkin() {
   auto skin = std::make_shared<Skin>(*TubeSkin(kLength, 8, 2));

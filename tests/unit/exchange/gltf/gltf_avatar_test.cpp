@@ -50,7 +50,7 @@ TEST(GltfAvatar, WhatIsNotReadIsSaid) {
   const Character c = test::ReadSmall("a.gltf", document.dump());
   ASSERT_EQ(c.warnings.size(), 1u);
   EXPECT_EQ(c.warnings[0].message,
-            "not read: normal maps, emission; all of it stays where motion is put back into the "
+            "not read: normal maps; all of it stays where motion is put back into the "
             "file (--onto)");
 }
 

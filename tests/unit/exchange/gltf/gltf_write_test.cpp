@@ -8,6 +8,7 @@
 #include "tests/support/figures.h"
 #include "tests/unit/exchange/export_sample.h"
 #include "tests/unit/exchange/gltf/gltf_taken_apart.h"
+#include "tests/unit/exchange/small_files.h"
 
 namespace hazumi::test {
 namespace {
@@ -93,6 +94,28 @@ TEST(GltfFile, LeavesNormalsOutThatHaveNoLength) {
   character.meshes[0].normals[3].setZero();
   EXPECT_FALSE(
       Written(character).json["meshes"][0]["primitives"][0]["attributes"].contains("NORMAL"));
+}
+
+TEST(GltfFile, KeepsColorsOfVerticesAndEmission) {
+  Json document = SmallGltf();
+  Json& primitive = document["meshes"][0]["primitives"][0];
+  primitive["attributes"]["COLOR_0"] = primitive["attributes"]["POSITION"];
+  primitive["material"] = 0;
+  document["materials"] = {
+      {{"emissiveFactor", {0.25, 0.5, 1.0}},
+       {"extensions", {{"KHR_materials_emissive_strength", {{"emissiveStrength", 3.0}}}}}}};
+  const Character read = ReadSmall("a.gltf", document.dump());
+  ASSERT_EQ(read.meshes.size(), 1u);
+  EXPECT_EQ(read.meshes[0].colors, read.meshes[0].positions);
+  ASSERT_EQ(read.materials.size(), 1u);
+  EXPECT_EQ(read.materials[0].emission, (std::array<float, 3>{0.75f, 1.5f, 3.0f}));
+  const auto text = GltfFile(read, {GltfContainer::kText, "test", ""});
+  ASSERT_TRUE(text.ok()) << text.error().ToString();
+  const Character again = ReadSmall("b.gltf", text.value());
+  EXPECT_EQ(again.meshes[0].colors, read.meshes[0].colors);
+  EXPECT_EQ(again.materials[0].emission, read.materials[0].emission);
+  EXPECT_EQ(Json::parse(text.value())["extensionsUsed"],
+            Json::array({"KHR_materials_emissive_strength"}));
 }
 
 TEST(GltfFile, PutsSeveralRootsUnderOne) {
