@@ -43,7 +43,8 @@ std::vector<double> MeshVolumes(const Skin& skin, const FigurePlan& plan);
 // Gives the links, by kept bone, masses [kg] that are `mass` together. Where the bones are those of
 // a body (body_names.h) each segment of the table weighs what the table says, whatever bones it
 // consists of, and its links share that by volume; segments that no bone stands for are left out,
-// and all others are heavier by the same factor. Else a bone weighs by the volume of the mesh that
+// and all others are heavier by the same factor; a head that has far more of the mesh's volume than
+// people's have weighs what that says. Else a bone weighs by the volume of the mesh that
 // it moves, or without one by that of its links. Says which, in words that follow the mass.
 std::string Weigh(const Skeleton& skeleton, const FigurePlan& plan, const Skin& skin, double mass,
                   std::vector<std::vector<LinkSpec>>* links);

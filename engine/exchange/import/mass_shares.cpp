@@ -2,7 +2,8 @@
 // the trunk to the part at its height on the line from the middle of the hip joints (MIDH, 0)
 // through that of the shoulders (MIDS) to the cervicale (CERV, 1). A segment's mass is spread over
 // its pieces by m_i ~ V_i exp(lambda t_i), V_i the volume and t_i the place along the segment, with
-// the lambda that puts the centre of mass, the mean of t_i, where the table has it.
+// the lambda that puts the centre of mass, the mean of t_i, where the table has it. A head that is
+// far larger than people's has the share of the mass that it has of the mesh's volume.
 
 #include <algorithm>
 #include <array>
@@ -19,6 +20,7 @@ namespace {
 constexpr int kPieces = 32;            // of a link
 constexpr double kSteepest = 8.0;      // |lambda|: e^8 from one end to the other
 constexpr double kShoulders = 0.8545;  // of the way from MIDH to CERV [de Leva 1996]
+constexpr double kBigHead = 1.5;       // share of the volume over the table's of the mass
 constexpr double kUnseen = 0.1;        // of a link's volume, if the mesh there encloses nothing
 
 double VolumeOf(const LinkSpec& link) {
@@ -73,8 +75,10 @@ size_t SlotOf(BodySegment segment, BodySide side) {
 
 class Table {
  public:
-  Table(const Skeleton& skeleton, const FigurePlan& plan, std::vector<std::vector<LinkSpec>>* links)
-      : skeleton_(skeleton), bodies_(RestBodies(plan)), links_(*links) {}
+  // `volumes`: of the mesh, by kept bone; empty: not known.
+  Table(const Skeleton& skeleton, const FigurePlan& plan, const std::vector<double>& volumes,
+        std::vector<std::vector<LinkSpec>>* links)
+      : skeleton_(skeleton), bodies_(RestBodies(plan)), volumes_(volumes), links_(*links) {}
 
   std::string Weigh(double mass) {
     FindLimbs();
@@ -84,8 +88,10 @@ class Table {
     }
     Tilt();
     FillTrunk();
+    const bool has_big_head = GiveHeadItsVolume();
     Spread(mass);
-    return "as de Leva's table of men has them" + Missing();
+    return "as de Leva's table of men has them" + Missing() +
+           (has_big_head ? ", its big head by the volume of the mesh" : "");
   }
 
  private:
@@ -221,9 +227,29 @@ class Table {
     give(kMiddleTrunk, has_lower ? kLowerTrunk : kUpperTrunk);
   }
 
-  void Spread(double mass) {
+  double SumOfShares() const {
     double sum = 0.0;
     for (size_t slot = 0; slot < kSlots; ++slot) sum += sums_[slot] > 0.0 ? shares_[slot] : 0.0;
+    return sum;
+  }
+
+  bool GiveHeadItsVolume() {
+    double head = 0.0, all = 0.0;
+    for (size_t k = 0; k < volumes_.size(); ++k) {
+      const double volume = std::max(0.0, volumes_[k]);
+      all += volume;
+      if (bone(k).segment == BodySegment::kHead) head += volume;
+    }
+    const size_t slot = SlotOf(BodySegment::kHead, BodySide::kMiddle);
+    const double sum = SumOfShares();
+    if (all <= 0.0 || head >= all || sums_[slot] <= 0.0) return false;
+    if (head / all <= kBigHead * shares_[slot] / sum) return false;
+    shares_[slot] = (sum - shares_[slot]) * head / (all - head);
+    return true;
+  }
+
+  void Spread(double mass) {
+    const double sum = SumOfShares();
     for (auto& links : links_) {
       for (LinkSpec& link : links) link.mass = 0.0;
     }
@@ -256,6 +282,7 @@ class Table {
 
   const Skeleton& skeleton_;
   std::vector<Pose> bodies_;
+  const std::vector<double>& volumes_;
   std::vector<std::vector<LinkSpec>>& links_;
   std::array<Limb, kSlots> limbs_ = {};
   Line trunk_;
@@ -283,10 +310,11 @@ std::string WeighByVolume(const std::vector<double>& of_mesh, double mass,
 
 std::string Weigh(const Skeleton& skeleton, const FigurePlan& plan, const Skin& skin, double mass,
                   std::vector<std::vector<LinkSpec>>* links) {
+  const std::vector<double> volumes = MeshVolumes(skin, plan);
   if (skeleton.bones[0].segment != BodySegment::kNone) {
-    return Table(skeleton, plan, links).Weigh(mass);
+    return Table(skeleton, plan, volumes, links).Weigh(mass);
   }
-  return WeighByVolume(MeshVolumes(skin, plan), mass, links);
+  return WeighByVolume(volumes, mass, links);
 }
 
 }  // namespace hazumi

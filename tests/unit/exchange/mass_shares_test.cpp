@@ -276,6 +276,25 @@ TEST(MassShares, OfWhatIsNobodyAreThoseOfTheMeshsVolume) {
   EXPECT_NEAR(inside_out[0] / inside_out[1], 4.0, 1e-5);
 }
 
+// Cubes of the same volume on hips and head, and next to nothing on other bones: the head weighs
+// half, all else is as the table has it.
+TEST(MassShares, ABigHeadWeighsWhatItsVolumeSays) {
+  Character person = Person({});
+  const std::map<std::string, double> usual = SharesOf(FigureOf(person));
+  for (size_t b = 0; b < person.bones.size(); ++b) {
+    const std::string& name = person.bones[b].name;
+    const double half = name == "Hips" || name == "Head" ? 0.2 : 1e-3;
+    AddBox(Vec3::Constant(-half), Vec3::Constant(half), static_cast<int>(b), &person);
+  }
+  std::map<std::string, double> shares = SharesOf(FigureOf(person));
+  EXPECT_NEAR(shares.at("head and neck"), 50.0, kPoint);
+  for (const auto& [segment, share] : usual) {
+    if (segment == "head and neck") continue;
+    const double expected = share * 50.0 / (100.0 - usual.at("head and neck"));
+    EXPECT_NEAR(shares.at(segment), expected, kPoint) << segment;
+  }
+}
+
 // One closed skin over both bones, with a cap where the second one begins.
 TEST(MassShares, AClosedSkinsVolumeIsSharedOutByItsWeights) {
   Character character = TwoLinks();
