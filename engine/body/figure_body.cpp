@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "engine/body/bone_roles.h"
 #include "engine/figure/sides.h"
@@ -115,6 +116,16 @@ std::vector<BodyPlace> PlacesOf(const Figure& figure) {
 }  // namespace
 
 FigureBody::FigureBody(const Figure& figure) : figure_(figure), places_(PlacesOf(figure)) {}
+
+bool FigureBody::HasFourLegs() const {
+  const std::vector<Pose> X_RJ = PosesAtZero(figure_);
+  Vec3 trunk = Vec3::Zero();
+  for (size_t g = 0; g < places_.size(); ++g) {
+    if (places_[g].role != BodyRole::kUpperArm) continue;
+    trunk += X_RJ[static_cast<size_t>(figure_.groups()[g].first.value())].p;
+  }
+  return trunk.head<2>().norm() > std::abs(trunk.z());
+}
 
 std::vector<GroupIndex> FigureBody::All(BodyRole role, BodySide side) const {
   std::vector<GroupIndex> all;

@@ -32,6 +32,10 @@ class FigureBody {
   // From the root out.
   std::vector<GroupIndex> All(BodyRole role, BodySide side) const;
 
+  // Whether its trunk, from the hips to where the arms begin, lies rather than stands, all angles
+  // zero: its arms are front legs.
+  bool HasFourLegs() const;
+
   // The hinges that do what a hinge of the human does, such as "r_hip_flexion" or "knee"; fixed
   // ones do nothing. Empty: none.
   std::vector<HingeShare> HingesFor(const std::string& human_hinge) const;

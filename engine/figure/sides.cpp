@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <optional>
 #include <unordered_map>
 
 #include "engine/spatial/degrees.h"
@@ -17,6 +18,12 @@ using Groups = std::vector<GroupIndex>;
 size_t ParentOf(const Figure& figure, size_t group) {
   const JointIndex parent = figure.joint(figure.groups()[group].first).parent;
   return parent.is_valid() ? static_cast<size_t>(figure.joint(parent).group.value()) + 1 : 0;
+}
+
+// As its place in the body states, or else its name.
+BodySide SideSaidOf(const JointGroup& joint) {
+  const bool is_stated = joint.body && joint.body->side != BodySide::kMiddle;
+  return is_stated ? joint.body->side : SideNamed(joint.name);
 }
 
 class Pairing {
@@ -45,6 +52,7 @@ class Pairing {
   bool IsAlone(GroupIndex g) const { return other_[g.value()] == g; }
 
   void PairChildren(size_t parent, size_t other_parent) {
+    for (const GroupIndex g : children_[parent]) PairByRole(g, other_parent);
     for (const GroupIndex g : children_[parent]) PairByName(g, other_parent);
     const Groups here = Alone(parent), there = Alone(other_parent);
     if (parent != other_parent) {
@@ -53,6 +61,25 @@ class Pairing {
     }
     const Groups left = On(BodySide::kLeft, here), right = On(BodySide::kRight, here);
     if (left.size() == 1 && right.size() == 1) Join(left[0], right[0]);
+  }
+
+  const std::optional<BodyPlace>& place(GroupIndex g) const { return figure_.group(g).body; }
+
+  // With the only one there that has its role on the other side, if it is the only one here too.
+  void PairByRole(GroupIndex g, size_t other_parent) {
+    if (!place(g) || place(g)->side == BodySide::kMiddle) return;
+    const size_t parent = ParentOf(figure_, static_cast<size_t>(g.value()));
+    const Groups here = Having(*place(g), parent);
+    const Groups there = Having({place(g)->role, OtherSide(place(g)->side)}, other_parent);
+    if (here.size() == 1 && there.size() == 1 && IsAlone(g) && IsAlone(there[0])) Join(g, there[0]);
+  }
+
+  Groups Having(const BodyPlace& wanted, size_t parent) const {
+    Groups having;
+    for (const GroupIndex g : children_[parent]) {
+      if (place(g) == wanted) having.push_back(g);
+    }
+    return having;
   }
 
   void PairByName(GroupIndex g, size_t other_parent) {
@@ -80,7 +107,7 @@ class Pairing {
   Groups On(BodySide side, const Groups& groups) const {
     Groups on;
     for (const GroupIndex g : groups) {
-      if (SideNamed(name(g)) == side) on.push_back(g);
+      if (SideSaidOf(figure_.group(g)) == side) on.push_back(g);
     }
     return on;
   }
@@ -92,9 +119,10 @@ class Pairing {
 };
 
 // Of a pair: the side of the first one. "lfemur" and "rfemur" differ in the letter that says it.
-BodySide SideOfPair(const std::string& name, const std::string& other) {
-  if (const BodySide side = SideNamed(name); side != BodySide::kMiddle) return side;
-  if (const BodySide side = SideNamed(other); side != BodySide::kMiddle) return OtherSide(side);
+BodySide SideOfPair(const JointGroup& joint, const JointGroup& partner) {
+  if (const BodySide side = SideSaidOf(joint); side != BodySide::kMiddle) return side;
+  if (const BodySide side = SideSaidOf(partner); side != BodySide::kMiddle) return OtherSide(side);
+  const std::string &name = joint.name, &other = partner.name;
   const size_t end = std::min(name.size(), other.size());
   const auto differs =
       std::mismatch(name.begin(), name.begin() + static_cast<long>(end), other.begin());
@@ -106,16 +134,16 @@ BodySide SideOfPair(const std::string& name, const std::string& other) {
 std::vector<BodySide> SidesOf(const Figure& figure, const Groups& other) {
   std::vector<BodySide> sides(other.size(), BodySide::kMiddle);
   for (size_t g = 0; g < other.size(); ++g) {
-    const std::string& name = figure.groups()[g].name;
+    const JointGroup& joint = figure.groups()[g];
     const size_t parent = ParentOf(figure, g);
     const BodySide above = parent == 0 ? BodySide::kMiddle : sides[parent - 1];
     const auto partner = static_cast<size_t>(other[g].value());
     if (partner == g) {
-      const BodySide named = SideNamed(name);
-      sides[g] = named == BodySide::kMiddle ? above : named;
+      const BodySide said = SideSaidOf(joint);
+      sides[g] = said == BodySide::kMiddle ? above : said;
     } else {
       const bool is_on_pair = ParentOf(figure, partner) != parent;
-      sides[g] = is_on_pair ? above : SideOfPair(name, figure.groups()[partner].name);
+      sides[g] = is_on_pair ? above : SideOfPair(joint, figure.groups()[partner]);
     }
   }
   return sides;

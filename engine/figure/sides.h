@@ -11,6 +11,7 @@
 namespace hazumi {
 
 // Joints are a pair if they hang on one joint, or on a pair, and
+// - their roles, as the figure states them, are the same on the two sides, or
 // - one's name is the other's for the other side, or
 // - both name a side, and nothing else that hangs there and has no partner does, or
 // - they hang on a pair, and nothing else that hangs there has no partner.
@@ -26,7 +27,7 @@ class FigureSides {
   // Of a joint or a hinge by its name; other names are their own.
   std::string OtherSideOf(const std::string& name, const Figure& figure) const;
 
-  // A joint without a partner is on the side that its name says, or else its parent's.
+  // A joint without a partner is on the side that its role or its name says, or else its parent's.
   BodySide SideOf(GroupIndex joint) const { return side_[joint.value()]; }
 
   // Of the mirror plane, which goes through the root's origin, in the root's frame: the mean

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 
 #include "engine/project/edits/entries.h"
 #include "engine/project/figure_file.h"
@@ -42,6 +43,9 @@ Result<Done> EditText(ProjectFigure* figure, Edit edit) {
   const Result<Done> done = edit(&*json);
   return done.ok() ? Take(*json, figure) : done;
 }
+
+// What a joint's hinges are, in its JSON.
+constexpr const char* kHingeFields[] = {"orientation_deg", "hinges", "role", "side"};
 
 // "joints" and "hinges" are of the same order in the text and in what was read.
 Json* FindHinge(const std::string& name, const FigureSpec& spec, Json* json) {
@@ -112,6 +116,32 @@ Result<Done> ChangeLink(const std::string& link, const LinkChange& change, Proje
     if (!found.json) return Refusal("link", "the figure has no link " + Quoted(link));
     if (change.mass_kg) SetMass(*change.mass_kg, *found.spec, found.json);
     if (change.radius_m) (*found.json)["radius_m"] = *change.radius_m;
+    return Done();
+  });
+}
+
+Result<Done> ReplaceHinges(const std::vector<JointSpec>& joints, ProjectFigure* figure) {
+  FigureSpec changed = figure->spec;
+  std::set<std::string> names;
+  for (const JointSpec& joint : joints) {
+    for (JointSpec& own : changed.joints) {
+      if (own.name != joint.name) continue;
+      own.orientation = joint.orientation;
+      own.hinges = joint.hinges;
+      own.body = joint.body;
+      names.insert(own.name);
+    }
+  }
+  const Json written = Json::parse(FigureText(changed));
+  return EditText(figure, [&](Json* json) -> Result<Done> {
+    for (size_t i = 0; i < changed.joints.size(); ++i) {
+      if (!names.contains(changed.joints[i].name)) continue;
+      Json& own = (*json)["joints"][i];
+      for (const char* field : kHingeFields) {
+        own.erase(field);
+        if (written["joints"][i].contains(field)) own[field] = written["joints"][i][field];
+      }
+    }
     return Done();
   });
 }

@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "engine/base/result.h"
 #include "engine/project/project_figure.h"
@@ -23,6 +24,9 @@ struct LinkChange {
   std::optional<double> mass_kg, radius_m;
 };
 Result<Done> ChangeLink(const std::string& link, const LinkChange& change, ProjectFigure* figure);
+
+// Joints whose turn, hinges and role, and nothing else, become those of joints of the same names.
+Result<Done> ReplaceHinges(const std::vector<JointSpec>& joints, ProjectFigure* figure);
 
 // Takes the text of the figure's file, looked up in `folder`, into the project. Errors: of reading
 // it; kSchema if it is embedded already.

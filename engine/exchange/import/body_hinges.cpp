@@ -14,6 +14,10 @@ namespace hazumi {
 
 namespace {
 
+constexpr double kBeyondClip = 2.0 * kDegree;  // where it goes farther than people do
+constexpr double kFixed = 1e-3 * kDegree;      // a hinge that turns less is fixed
+constexpr double kHuman = 70.0 * 1.7;          // mass times height of human.json [kg m]
+
 struct Row {
   const char* name;
   Vec3 axis;                        // on the right side, and in the middle
@@ -122,6 +126,30 @@ BodyHinge HingeOf(const Rows& rows, const Row& row, BodySide side, const RowPart
 }
 
 }  // namespace
+
+HingeSpec HingeOfBody(const BodyHinge& of_body, const Mat3& frame, const AngleRange& range,
+                      double strength) {
+  HingeSpec hinge;
+  hinge.name = of_body.name;
+  hinge.axis = of_body.sign * frame.col(of_body.axis);
+  hinge.strength = of_body.strength;
+  if (hinge.strength) {
+    hinge.strength->positive.torque *= strength;
+    hinge.strength->negative.torque *= strength;
+  }
+  if (!of_body.is_usual && range.high - range.low < kFixed) {
+    hinge.lower = hinge.upper = 0.5 * (range.low + range.high);
+    return hinge;
+  }
+  // A straight knee is at its limit but for rounding, not beyond it.
+  const bool is_below = !of_body.is_usual || range.low < of_body.lower - kFixed;
+  const bool is_above = !of_body.is_usual || range.high > of_body.upper + kFixed;
+  hinge.lower = is_below ? range.low - kBeyondClip : std::min(of_body.lower, range.low);
+  hinge.upper = is_above ? range.high + kBeyondClip : std::max(of_body.upper, range.high);
+  return hinge;
+}
+
+double StrengthOf(double mass, double height) { return mass * height / kHuman; }
 
 std::optional<BodyHinges> BodyHingesOf(BodyPlace place, const RowPart& part) {
   for (const Rows& rows : AllRows()) {

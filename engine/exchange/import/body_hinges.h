@@ -7,6 +7,7 @@
 #include <string>
 
 #include "engine/figure/body_role.h"
+#include "engine/figure/figure_spec.h"
 #include "engine/figure/strength.h"
 #include "engine/spatial/types.h"
 
@@ -27,6 +28,20 @@ using BodyHinges = std::array<BodyHinge, 3>;  // from the parent out
 struct RowPart {
   double begin = 0.0, end = 1.0;
 };
+
+// Angles that a hinge has in a clip, or at rest [rad].
+struct AngleRange {
+  double low = 0.0, high = 0.0;
+};
+
+// The hinge of a joint: its axis in `frame`, the body axes in the bone's; its limits wider where
+// `range` goes farther than people do, and fixed where they cannot turn it and it does not turn;
+// its torques times `strength`.
+HingeSpec HingeOfBody(const BodyHinge& of_body, const Mat3& frame, const AngleRange& range,
+                      double strength);
+
+// Factor of the human's torques for a body of this mass [kg] and height [m].
+double StrengthOf(double mass, double height);
 
 // Hinges, limits and strength as the human that comes with Hazumi has them; of a clavicle and of
 // fingers, which it has not, see body_hinges.cpp. None if the role has no hinges of its own.

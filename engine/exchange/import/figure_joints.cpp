@@ -16,15 +16,7 @@ namespace {
 
 constexpr double kMargin = 15.0 * kDegree;        // beyond the clip
 constexpr double kUnknown = 45.0 * kDegree;       // about rest, where no clip and no body tells
-constexpr double kBeyondClip = 2.0 * kDegree;     // where it goes farther than people do
-constexpr double kFixed = 1e-3 * kDegree;         // a hinge that turns less is fixed
 constexpr double kFree = 4.0 * std::numbers::pi;  // beyond the clip, without limits
-constexpr double kHuman = 70.0 * 1.7;             // mass times height of human.json [kg m]
-
-// Angles that a hinge has in the clip, or at rest [rad].
-struct AngleRange {
-  double low = 0.0, high = 0.0;
-};
 
 class JointMaker {
  public:
@@ -36,7 +28,7 @@ class JointMaker {
     for (const auto& of_bone : links) {
       for (const LinkSpec& link : of_bone) mass += link.mass.value_or(0.0);
     }
-    strength_ = mass * world.height / kHuman;
+    strength_ = StrengthOf(mass, world.height);
   }
 
   std::vector<JointSpec> Make(ImportReport* report) const {
@@ -81,11 +73,11 @@ class JointMaker {
 
   HingeSpec HingeOf(const PlannedJoint& joint, int h) const {
     HingeSpec hinge;
-    hinge.name = joint.HingeName(h).substr(joint.name.size() + 1);
     const AngleRange range = RangeOf(joint, h);
     if (joint.body) {
-      SetBodyHinge((*joint.body)[static_cast<size_t>(h)], joint.frame, range, &hinge);
+      hinge = HingeOfBody((*joint.body)[static_cast<size_t>(h)], joint.frame, range, strength_);
     } else {
+      hinge.name = joint.HingeName(h).substr(joint.name.size() + 1);
       const double more = plan_.has_clip ? kMargin : kUnknown;
       hinge.axis = Vec3::Unit(joint.axes[h]);
       hinge.lower = range.low - more;
@@ -97,25 +89,6 @@ class JointMaker {
     }
     hinge.rest = std::clamp(joint.rest[h], hinge.lower, hinge.upper);
     return hinge;
-  }
-
-  void SetBodyHinge(const BodyHinge& of_body, const Mat3& frame, const AngleRange& range,
-                    HingeSpec* hinge) const {
-    hinge->axis = of_body.sign * frame.col(of_body.axis);
-    hinge->strength = of_body.strength;
-    if (hinge->strength) {
-      hinge->strength->positive.torque *= strength_;
-      hinge->strength->negative.torque *= strength_;
-    }
-    if (!of_body.is_usual && range.high - range.low < kFixed) {
-      hinge->lower = hinge->upper = 0.5 * (range.low + range.high);
-      return;
-    }
-    // A straight knee is at its limit but for rounding, not beyond it.
-    const bool is_below = !of_body.is_usual || range.low < of_body.lower - kFixed;
-    const bool is_above = !of_body.is_usual || range.high > of_body.upper + kFixed;
-    hinge->lower = is_below ? range.low - kBeyondClip : std::min(of_body.lower, range.low);
-    hinge->upper = is_above ? range.high + kBeyondClip : std::max(of_body.upper, range.high);
   }
 
   bool IsLegWithoutFoot(size_t k) const {

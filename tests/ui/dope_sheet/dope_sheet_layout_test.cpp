@@ -78,6 +78,8 @@ TEST(DopeSheetLayout, LimbsOfImportedFiguresHaveSides) {
   }
   EXPECT_EQ(names(spec)[2], "Left arm");
   EXPECT_EQ(names(spec)[3], "Right arm");
+  for (JointSpec& joint : spec.joints) joint.body = BodyPlace();
+  EXPECT_EQ(names(spec)[3], "upperarm.r - RightHand") << "roles go before names";
 }
 
 TEST(DopeSheetLayout, RowsOpenToJointsAndHinges) {

@@ -1,3 +1,5 @@
+#include "engine/body/figure_body.h"
+#include "engine/figure/figure_builder.h"
 #include "engine/project/figure_file.h"
 #include "tests/unit/edit/sessions.h"
 
@@ -43,6 +45,34 @@ TEST(FigureOperators, ALinkGetsHeavier) {
   const double hand = MassOf(session, "r_hand");
   Do(&session, "figure.link", {{"link", "r_hand"}, {"mass", 2}, {"radius", 0.05}});
   EXPECT_NEAR(session.figure().total_mass() - before, 2.0 * (2.0 - hand), 1e-9);
+}
+
+TEST(FigureOperators, RolesOfAFigureWithMirroredSidesAreToldByNames) {
+  Session session;
+  const Project before = session.project();
+  EXPECT_NE(Refused(&session, "figure.role", {{"joint", "waist"}, {"role", "tail"}})
+                .ToString()
+                .find("mirror"),
+            std::string::npos);
+  EXPECT_EQ(session.project(), before);
+}
+
+TEST(FigureOperators, ARoleIsChangedAndUndone) {
+  Session session;
+  Project project = session.project();
+  project.figure.spec = WithMirroredTwins(project.figure.spec);
+  project.figure.spec.mirror.reset();
+  project.figure.embedded_json = FigureText(project.figure.spec);
+  session.Replace(project, "");
+  Do(&session, "figure.role", {{"joint", "l_toe"}, {"role", "finger"}, {"side", "left"}});
+  const FigureBody body(session.figure());
+  const GroupIndex toe = *session.figure().FindGroup("l_toe");
+  EXPECT_EQ(body.PlaceOf(toe), (BodyPlace{BodyRole::kFinger, BodySide::kLeft}));
+  EXPECT_EQ(session.figure().group(toe).size, 3) << "a finger has three hinges";
+  EXPECT_EQ(body.PlaceOf(*session.figure().FindGroup("r_toe")),
+            (BodyPlace{BodyRole::kToe, BodySide::kRight}));
+  Do(&session, "edit.undo");
+  EXPECT_EQ(session.figure().group(*session.figure().FindGroup("l_toe")).size, 1);
 }
 
 TEST(FigureOperators, ASkinIsTakenOffAndPutOnAndTheMotionStays) {

@@ -26,7 +26,7 @@ const std::vector<std::pair<std::string, int>> kFiles = {
     {"other/cmu_mb_02_01_walk.bvh", 12},
     {"other/pybvh_standard_skeleton.bvh", 8},
     {"throw/cmu_mb_124_01_baseball_pitch.bvh", 12},
-    {"characters/khronos_cesium_man.gltf", 0},
+    {"characters/khronos_cesium_man.gltf", 7},
     {"characters/ozz_pab_arnaud.fbx", 23},
     {"characters/kaykit_Knight.glb", 9}};
 

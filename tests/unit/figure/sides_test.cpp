@@ -53,6 +53,19 @@ TEST(FigureSides, TheShippedHumansJointsAndHingesAreInPairs) {
   EXPECT_EQ(sides.OtherSideOf("no such joint", figure), "no such joint");
 }
 
+TEST(FigureSides, RolesGoBeforeNames) {
+  std::vector<JointSpec> joints = {Bone("b1", "hips", {0.0, 0.1, 0.0}),
+                                   Bone("right_b", "hips", {0.0, -0.1, 0.0}),
+                                   Bone("left_b", "hips", {0.0, 0.3, 0.0})};
+  joints[0].body = BodyPlace{BodyRole::kThigh, BodySide::kLeft};
+  joints[1].body = BodyPlace{BodyRole::kThigh, BodySide::kRight};
+  joints[2].body = BodyPlace();
+  const Figure figure = Of(joints);
+  EXPECT_EQ(Other(figure, "b1"), "right_b");
+  EXPECT_EQ(Other(figure, "left_b"), "left_b");
+  EXPECT_EQ(SideOf(figure, "b1"), BodySide::kLeft);
+}
+
 TEST(FigureSides, ANameIsPairedOnlyWithOneThatIsThere) {
   const Figure figure =
       Of({Bone("lower_leg", "hips", {0.0, 0.1, 0.0}), Bone("relax", "hips", {0.0, 0.2, 0.0}),

@@ -1,8 +1,10 @@
 // The figure. What is mirrored is edited on both sides.
 
+#include "engine/exchange/import/changed_role.h"
 #include "engine/figure/figure_bone.h"
 #include "engine/project/enum_names.h"
 #include "engine/project/figure_editor.h"
+#include "ui/edit/fields/item_fields.h"
 #include "ui/edit/operators/edits.h"
 
 namespace hazumi::edit {
@@ -32,6 +34,18 @@ Result<Done> SetLink(Session* session, const Parameters& p) {
   return Edit(session, "Change link", p.text("drag"), [&](ProjectFigure* figure) {
     return ChangeLink(p.text("link"), {p.maybe_number("mass"), p.maybe_number("radius")}, figure);
   });
+}
+
+Result<Done> SetRole(Session* session, const Parameters& p) {
+  BodyPlace place;
+  for (const auto& role : EnumNames<BodyRole>::kNames) {
+    if (p.text("role") == role.name) place.role = role.value;
+  }
+  for (const auto& side : EnumNames<BodySide>::kNames) {
+    if (p.text("side") == side.name) place.side = side.value;
+  }
+  return session->Edit(
+      "Change role", [&](Project* project) { return ChangeRole(p.text("joint"), place, project); });
 }
 
 std::string FolderOf(const std::string& path) {
@@ -82,6 +96,14 @@ std::vector<Operator> FigureOperators() {
             {"radius", kNumber, false, "of its capsule, which touches things, in metres"},
             kDrag},
            SetLink},
+          {"figure.role",
+           "Change role",
+           "Says which part of a body a joint is. It gets the hinges and limits of that part; it "
+           "and what hangs on it stay as they are at their keys.",
+           {{"joint", kText, true, "a joint", Thing::kJoint},
+            {"role", kText, true, "which part", WordsOf<BodyRole>()},
+            {"side", kText, false, "of the body; not given: the middle", WordsOf<BodySide>()}},
+           SetRole},
           {"figure.embed",
            "Embed figure",
            "Takes the figure's file into the project, where it can be changed.",

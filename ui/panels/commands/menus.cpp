@@ -163,6 +163,7 @@ MenuEntry PoseMenu() {
                           Line(),
                           Submenu("Figure", {{"figure.joint_limits"},
                                              {"figure.link"},
+                                             {"figure.role"},
                                              {"figure.embed"},
                                              {"figure.skin", {{"skin", "human"}}, "Human skin"},
                                              {"figure.skin", {{"skin", "none"}}, "No skin"}})});

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "ui/panels/dialogs/parts.h"
+#include "ui/panels/text/role_text.h"
 
 namespace hazumi::ui {
 
@@ -15,28 +16,11 @@ namespace {
 constexpr float kHeight = 230.0f, kDot = 4.0f, kReach = 12.0f, kMargin = 14.0f;  // [px]
 constexpr const char* kPopup = "##roles";
 
-constexpr const char* kLabels[kNumBodyRoles] = {
-    "nothing", "hips", "spine",  "neck",   "head",  "clavicle",      "upper arm",
-    "forearm", "hand", "finger", "thigh",  "shin",  "foot",          "toe",
-    "tail",    "wing", "ear",    "weapon", "twist", "cloth or hair", "helper"};
-
-std::string LabelOf(BodyPlace place) {
-  std::string role = Tr(kLabels[static_cast<int>(place.role)]);
-  if (place.side == BodySide::kMiddle) return role;
-  return std::string(Tr(place.side == BodySide::kLeft ? "left " : "right ")) + role;
-}
-
 // A list of all roles. The one that was chosen.
 std::optional<BodyPlace> DrawRoleList(const BodyPlace& now) {
   std::optional<BodyPlace> chosen;
-  for (int i = 0; i < kNumBodyRoles; ++i) {
-    const auto role = static_cast<BodyRole>(i);
-    for (const BodySide side : {BodySide::kMiddle, BodySide::kLeft, BodySide::kRight}) {
-      const bool is_middle = side == BodySide::kMiddle;
-      if (is_middle ? NeedsSide(role) : !MayHaveSide(role)) continue;
-      const BodyPlace place = {role, side};
-      if (ListLine(LabelOf(place), place == now)) chosen = place;
-    }
+  for (const BodyPlace& place : AllPlaces()) {
+    if (ListLine(TextOf(place), place == now)) chosen = place;
   }
   return chosen;
 }
@@ -122,7 +106,7 @@ std::optional<int> DrawFigure(const Editor& editor, const std::vector<ImportedBo
   DrawBones(bones, view, under >= 0 ? under : selected, editor);
   if (under < 0) return std::nullopt;
   const ImportedBone& bone = bones[static_cast<size_t>(under)];
-  ImGui::SetTooltip("%s: %s", bone.name.c_str(), LabelOf(bone.place).c_str());
+  ImGui::SetTooltip("%s: %s", bone.name.c_str(), TextOf(bone.place).c_str());
   return ImGui::IsItemClicked() ? std::optional(under) : std::nullopt;
 }
 
@@ -139,7 +123,7 @@ bool DrawLists(const Editor& editor, const std::vector<ImportedBone>& bones, Imp
   if (ImGui::BeginCombo("##bone", shown.c_str())) {
     for (size_t i = 0; i < bones.size(); ++i) {
       ImGui::PushID(static_cast<int>(i));
-      const std::string line = bones[i].name + "   " + LabelOf(bones[i].place);
+      const std::string line = bones[i].name + "   " + TextOf(bones[i].place);
       if (ListLine(line, static_cast<int>(i) == state->bone)) state->bone = static_cast<int>(i);
       ImGui::PopID();
     }
@@ -150,7 +134,7 @@ bool DrawLists(const Editor& editor, const std::vector<ImportedBone>& bones, Imp
   DrawFieldLabel(Tr("It is"), editor);
   ImGui::SetNextItemWidth(-1.0f);
   std::optional<BodyPlace> chosen;
-  if (ImGui::BeginCombo("##role", LabelOf(bone.place).c_str())) {
+  if (ImGui::BeginCombo("##role", TextOf(bone.place).c_str())) {
     chosen = DrawRoleList(bone.place);
     ImGui::EndCombo();
   }

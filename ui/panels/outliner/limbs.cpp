@@ -2,36 +2,34 @@
 
 #include <utility>
 
-#include "engine/base/text.h"
+#include "engine/body/figure_body.h"
 #include "engine/figure/sides.h"
 
 namespace hazumi::ui {
 
 namespace {
 
-bool NamesOneOf(const std::string& name, std::initializer_list<const char*> words) {
-  for (const char* word : words) {
-    if (name.find(word) != std::string::npos) return true;
+// Of the limb whose first joint with a role has this one; empty: it has no word.
+std::string PartOf(BodyRole role, bool has_four_legs) {
+  switch (role) {
+    case BodyRole::kClavicle:
+    case BodyRole::kUpperArm:
+    case BodyRole::kForearm:
+    case BodyRole::kHand:
+      return has_four_legs ? "front leg" : "arm";
+    case BodyRole::kThigh:
+    case BodyRole::kShin:
+    case BodyRole::kFoot:
+      return has_four_legs ? "hind leg" : "leg";
+    case BodyRole::kNeck:
+    case BodyRole::kHead:
+      return "head";
+    case BodyRole::kHips:
+    case BodyRole::kSpine:
+      return "torso";
+    default:
+      return "";
   }
-  return false;
-}
-
-// The part of the body that a joint's name tells, in lower case; empty if none.
-std::string PartOf(const std::string& joint) {
-  const std::string name = LowerCase(joint);
-  if (NamesOneOf(name,
-                 {"shoulder", "shldr", "elbow", "arm", "wrist", "clavicle", "collar", "humerus"})) {
-    return "arm";
-  }
-  if (NamesOneOf(name, {"hip", "knee", "leg", "thigh", "ankle", "shin", "femur", "buttock"})) {
-    return "leg";
-  }
-  if (NamesOneOf(name, {"neck", "head", "skull"})) return "head";
-  if (NamesOneOf(name,
-                 {"waist", "chest", "spine", "torso", "abdomen", "trunk", "thorax", "lowerback"})) {
-    return "torso";
-  }
-  return "";
 }
 
 const char* WordOf(BodySide side) {
@@ -39,10 +37,13 @@ const char* WordOf(BodySide side) {
   return side == BodySide::kLeft ? "left " : "right ";
 }
 
-std::string NameOfLimb(const Figure& figure, const FigureSides& sides,
+std::string NameOfLimb(const Figure& figure, const FigureBody& body, const FigureSides& sides,
                        const std::vector<GroupIndex>& joints) {
   const std::string& first = figure.group(joints.front()).name;
-  const std::string part = PartOf(first);
+  std::string part;
+  for (size_t i = 0; part.empty() && i < joints.size(); ++i) {
+    part = PartOf(body.PlaceOf(joints[i]).role, body.HasFourLegs());
+  }
   if (part.empty()) {
     const std::string& last = figure.group(joints.back()).name;
     return joints.size() == 1 ? first : first + " - " + last;
@@ -80,8 +81,9 @@ std::vector<Limb> LimbsOf(const Figure& figure) {
     limbs[limb_of[g]].joints.emplace_back(g);
     limbs[limb_of[g]].is_end = num_children[g] == 0;
   }
+  const FigureBody body(figure);
   const FigureSides sides(figure);
-  for (Limb& limb : limbs) limb.name = NameOfLimb(figure, sides, limb.joints);
+  for (Limb& limb : limbs) limb.name = NameOfLimb(figure, body, sides, limb.joints);
   return limbs;
 }
 

@@ -104,10 +104,15 @@ Result<edit::Pose> Mirrored(const edit::Pose& pose, edit::Session* session) {
   return kept;
 }
 
+// A few of them, and how many more there are.
 std::string Listed(const std::vector<std::string>& names) {
+  constexpr size_t kMost = 4;
   std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
+  for (size_t i = 0; i < std::min(names.size(), kMost); ++i) {
+    text += (text.empty() ? "" : ", ") + names[i];
+  }
+  if (names.size() <= kMost) return text;
+  return text + " and " + std::to_string(names.size() - kMost) + " more";
 }
 
 Result<SavedPose> PoseNamed(const std::string& name, PoseLibrary* library) {

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "engine/base/text.h"
+#include "engine/body/figure_body.h"
 #include "engine/figure/figure_builder.h"
 #include "engine/project/edits/curves.h"
 #include "engine/project/edits/placements.h"
@@ -14,6 +15,7 @@
 #include "ui/panels/properties/fields.h"
 #include "ui/panels/properties/layout.h"
 #include "ui/panels/properties/sections.h"
+#include "ui/panels/text/role_text.h"
 
 namespace hazumi::ui {
 
@@ -182,6 +184,23 @@ void DrawLinks(Editor* editor, const std::string& joint) {
   }
 }
 
+// What the joint is in the body.
+void DrawRole(Editor* editor, GroupIndex joint) {
+  const edit::Session& session = editor->session();
+  const JointGroup& group = session.figure().group(joint);
+  std::vector<std::string> texts;
+  for (const BodyPlace& place : AllPlaces()) texts.push_back(TextOf(place));
+  const BodyPlace now = FigureBody(session.figure()).PlaceOf(joint);
+  DrawChoice(editor, "role", Tr("Role"), texts, TextOf(now), [&](const std::string& text) {
+    for (const BodyPlace& place : AllPlaces()) {
+      if (TextOf(place) != text) continue;
+      editor->Do(
+          "figure.role",
+          {{"joint", group.name}, {"role", NameOf(place.role)}, {"side", NameOf(place.side)}});
+    }
+  });
+}
+
 void DrawJoint(Editor* editor, const JointGroup& group) {
   const std::vector<HingeNow> hinges = HingesOf(editor, group);
   ImGui::PushID(group.name.c_str());
@@ -189,6 +208,10 @@ void DrawJoint(Editor* editor, const JointGroup& group) {
   DrawRates(editor, hinges);
   DrawLimits(editor, hinges);
   DrawLinks(editor, group.name);
+  if (DrawHeading(Tr("Part of the body"), false)) {
+    DrawEmbed(editor);
+    DrawRole(editor, editor->session().figure().joint(group.first).group);
+  }
   ImGui::PopID();
 }
 
