@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/bake/bake.h"
+#include "engine/dynamics/kinematics.h"
 #include "engine/figure/figure_builder.h"
 #include "engine/makers/flights/flights.h"
 #include "engine/makers/jumps/jumps.h"
@@ -78,6 +79,70 @@ TEST(MakeJump, IsAsLowAsItGetsThereIfNoHeightIsGiven) {
       makers::MakeJump({2.4, 0.0, height - 0.05}, now, start.animation, start.project).ok());
   const auto as_high = makers::MakeJump({2.4, 0.0, height}, now, start.animation, start.project);
   EXPECT_EQ(Good(as_high).project, low.value().project);
+}
+
+// The middle of the toes on a frame.
+Vec3 ToesOn(int frame, const Baked& baked) {
+  const Figure& figure = *baked.animation.figure;
+  DynamicsWorkspace workspace(figure);
+  const MotionFrame& now = baked.motion.frames[static_cast<size_t>(frame)];
+  ComputePositions(figure, now.X_WR, now.q, &workspace);
+  Vec3 middle = Vec3::Zero();
+  for (const char* toe : {"r_toe", "l_toe"}) {
+    middle += 0.5 * workspace.body(*figure.FindJoint(toe)).p;
+  }
+  return middle;
+}
+
+// The flight has the speed that its keys say, not that of the pin.
+TEST(MakeJump, LandsOnItsSpotFromAPinAboveTheGround) {
+  Session session;
+  Project floating = session.project();
+  floating.root.curves[kRootZ].keys[0].value += 0.008;
+  const Baked start(std::move(floating));
+  const auto made = makers::MakeJump({0.9, 0.0, {}}, start.motion.frames.front(), start.animation,
+                                     start.project);
+  const int landing = Good(made).report.landing;
+  const Vec3 toes = ToesOn(landing, Baked(made.value().project));
+  EXPECT_NEAR(toes.x(), 0.9, 0.03);
+  EXPECT_NEAR(toes.y(), 0.0, 0.03);
+}
+
+TEST(MakeJump, BringsTheFeetOfAStrideTogether) {
+  Session session;
+  for (const auto& [joint, angle] : {std::pair{"r_hip_flexion", 35.0},
+                                     {"r_knee", 15.0},
+                                     {"l_hip_flexion", -15.0},
+                                     {"l_knee", 25.0},
+                                     {"l_hip_abduction", 12.0}}) {
+    Do(&session, "pose.rotate", {{"joint", joint}, {"to", angle}});
+  }
+  Do(&session, "root.to_ground", edit::Json::object());
+  const Baked start(session.project());
+  const auto made = makers::MakeJump({1.1, 0.0, {}}, start.motion.frames.front(), start.animation,
+                                     start.project);
+  const makers::JumpReport report = Good(made).report;
+  const Baked jump(made.value().project);
+  EXPECT_NEAR(ToesOn(report.landing, jump).x(), 1.1, 0.03);
+  const MotionFrame& off = jump.motion.frames[static_cast<size_t>(report.take_off)];
+  const Figure& figure = *jump.animation.figure;
+  for (const char* hinge : {"hip_flexion", "hip_abduction", "knee"}) {
+    const double right = off.q[figure.FindJoint("r_" + std::string(hinge))->value()];
+    const double left = off.q[figure.FindJoint("l_" + std::string(hinge))->value()];
+    EXPECT_NEAR(right, left, 1e-6) << hinge;
+  }
+}
+
+TEST(MakeJump, AsksMoreThanPeoplesLegsGiveOnlyIfNoHeightIsGiven) {
+  const Baked start = Standing();
+  const MotionFrame& now = start.motion.frames.front();
+  const Vec3 far(6.0, 0.0, 0.0);
+  for (const double height : {0.3, 0.8, 1.5}) {
+    EXPECT_FALSE(
+        makers::MakeJump({far.x(), 0.0, height}, now, start.animation, start.project).ok());
+  }
+  const auto made = makers::MakeJump({far.x(), 0.0, {}}, now, start.animation, start.project);
+  EXPECT_NEAR(ToesOn(Good(made).report.landing, Baked(made.value().project)).x(), far.x(), 0.03);
 }
 
 TEST(AimJump, OntoWhereItLandsLeavesItWhereItWas) {
