@@ -168,11 +168,17 @@ bool StandsOnBothFeet(const Stance& stance, Stage* stage) {
 }
 
 Result<Done> SetRoots(const JumpSpots& spots, Stage* stage, JumpPlan* plan) {
+  constexpr double kFloats = 0.01;  // [m]
+  const Result<Vec3> before = stage->RootOn(plan->before, spots.from);
+  if (!before.ok()) return before.error();
+  // A pin keeps the feet where they are, be it above the ground.
+  const double above = plan->root_before.z() - before.value().z();
+  const Vec3 lift = (above > kFloats ? above : 0.0) * Vec3::UnitZ();
   for (int phase = 0; phase < kNumJumpPhases; ++phase) {
     const Result<Vec3> on =
         stage->RootOn(plan->stances[phase], phase <= kTakeOff ? spots.from : spots.onto);
     if (!on.ok()) return on.error();
-    plan->roots[phase] = on.value();
+    plan->roots[phase] = phase <= kTakeOff ? Vec3(on.value() + lift) : on.value();
   }
   const Result<Vec3> after = stage->RootOn(plan->after, spots.onto);
   if (!after.ok()) return after.error();

@@ -127,11 +127,11 @@ Result<Done> KeyJump(const JumpPlan& plan, const JumpBody& body, const Figure& f
     return Done();
   };
   for (const NamedJumpHinge& of : body.hinges) {
-    if (const Result<Done> keyed = key(of.joint, of.hinge.bears); !keyed.ok()) return keyed;
+    if (Result<Done> keyed = key(of.joint, of.hinge.bears); !keyed.ok()) return keyed;
   }
   for (const JointIndex hinge : body.aside) {
     if (plan.before.q[hinge.value()] == plan.after.q[hinge.value()]) continue;
-    if (const Result<Done> keyed = key(hinge, false); !keyed.ok()) return keyed;
+    if (Result<Done> keyed = key(hinge, false); !keyed.ok()) return keyed;
   }
   for (int i = 0; i < 3; ++i) KeyRootAngle(plan, i, &project->root.curves[kRootAngleZ + i]);
   JumpPins pins;

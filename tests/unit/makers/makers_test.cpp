@@ -100,8 +100,8 @@ TEST(MakeJump, LandsOnItsSpotFromAPinAboveTheGround) {
   Project floating = session.project();
   floating.root.curves[kRootZ].keys[0].value += 0.008;
   const Baked start(std::move(floating));
-  const auto made = makers::MakeJump({0.9, 0.0, {}}, start.motion.frames.front(), start.animation,
-                                     start.project);
+  const auto made =
+      makers::MakeJump({0.9, 0.0, {}}, start.motion.frames.front(), start.animation, start.project);
   const int landing = Good(made).report.landing;
   const Vec3 toes = ToesOn(landing, Baked(made.value().project));
   EXPECT_NEAR(toes.x(), 0.9, 0.03);
@@ -119,8 +119,8 @@ TEST(MakeJump, BringsTheFeetOfAStrideTogether) {
   }
   Do(&session, "root.to_ground", edit::Json::object());
   const Baked start(session.project());
-  const auto made = makers::MakeJump({1.1, 0.0, {}}, start.motion.frames.front(), start.animation,
-                                     start.project);
+  const auto made =
+      makers::MakeJump({1.1, 0.0, {}}, start.motion.frames.front(), start.animation, start.project);
   const makers::JumpReport report = Good(made).report;
   const Baked jump(made.value().project);
   EXPECT_NEAR(ToesOn(report.landing, jump).x(), 1.1, 0.03);
