@@ -39,6 +39,7 @@ int ExportFile(const BakedProject& baked, const FrameRange& frames, const Option
   settings.up = options.z_up ? UpAxis::kZ : UpAxis::kY;
   settings.metres_per_unit = options.in_metres ? 1.0 : 0.01;
   settings.skin = baked.project.skin ? baked.project.skin.meshes().get() : &capsules;
+  if (baked.project.source) settings.above = baked.project.source->above;
   settings.timings = options.timings;
   settings.torques = options.torques;
   settings.effort = options.effort;

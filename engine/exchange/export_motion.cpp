@@ -33,8 +33,8 @@ Result<std::string> ExportGltf(const Animation& animation, const Motion& motion,
       options.format == MotionFormat::kGlb ? GltfContainer::kBinary : GltfContainer::kText;
   std::vector<GltfProp> held =
       HeldProps(animation, motion, FileAxes(UpAxis::kY, 1.0), &character.value());
-  return GltfFile(character.value(),
-                  {container, options.generator, MotionExtras(animation, motion), std::move(held)});
+  return GltfFile(character.value(), {container, options.generator, MotionExtras(animation, motion),
+                                      std::move(held), options.above});
 }
 
 }  // namespace

@@ -34,6 +34,7 @@ struct MotionExportOptions {
   UpAxis up = UpAxis::kY;
   double metres_per_unit = 0.01;
   const Skin* skin = nullptr;             // of glTF; none: the skeleton alone
+  std::string above = {};                 // of glTF: nodes on which the skeleton hangs
   bool timings = false;                   // of JSON
   bool torques = false;                   // of JSON and CSV
   MotionJsonOptions::Maker made_by = {};  // of JSON

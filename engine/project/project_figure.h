@@ -29,6 +29,7 @@ struct ProjectFigure {
 struct ProjectSource {
   std::string file;             // its name, without a folder
   std::string character, clip;  // of several; empty: the only one, none
+  std::string above;            // nodes on which the skeleton hangs: "Rig/root"; empty: none
   std::optional<double> fps;    // at which the clip was read; not given: its own
   bool z_up = false;            // else y
   double metres_per_unit = 1.0;

@@ -80,6 +80,7 @@ struct Character {
   // Names that choose this character and the others of the file; empty if it is the only one.
   std::string chosen;
   std::vector<std::string> others;
+  std::string above;  // nodes that the first bone hangs on, outermost first: "Scene/Rig"
   std::vector<Bone> bones;
   std::vector<Clip> clips;
   std::vector<SkinMesh> meshes;  // their binds count `bones`

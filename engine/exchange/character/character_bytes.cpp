@@ -146,6 +146,7 @@ void Visit(Archive& a, Character& c) {
   a.Text(c.name);
   a.Text(c.chosen);
   a.List(c.others);
+  a.Text(c.above);
   a.List(c.bones);
   a.List(c.clips);
   a.List(c.meshes);

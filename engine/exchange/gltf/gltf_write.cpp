@@ -62,7 +62,17 @@ class GltfWriter {
     } else if (!roots.empty()) {
       skeleton_ = roots[0];
     }
-    if (!roots.empty()) top_.push_back(skeleton_);
+    if (roots.empty()) return;
+    size_t top = skeleton_;
+    for (size_t end = options_.above.size(); end > 0;) {
+      const size_t slash = options_.above.rfind('/', end - 1);
+      const size_t begin = slash == std::string::npos ? 0 : slash + 1;
+      nodes_.push_back({{"name", options_.above.substr(begin, end - begin)},
+                        {"children", GltfJson::array({top})}});
+      top = nodes_.size() - 1;
+      end = begin == 0 ? 0 : slash;
+    }
+    top_.push_back(top);
   }
 
   GltfJson NodeOf(const std::string& name, const Pose& rest, const Vec3& s) {

@@ -24,6 +24,7 @@ struct GltfOptions {
   std::string generator = "Hazumi";
   std::string extras;                // of the animations: a JSON object; empty: none
   std::vector<GltfProp> props = {};  // their materials are the character's
+  std::string above = {};            // nodes on which the skeleton hangs: "Rig/root"; empty: none
 };
 
 // A character as a glTF 2.0 file. Axes and lengths are written as they are: glTF's are y up, facing

@@ -127,6 +127,10 @@ BodyHinge HingeOf(const Rows& rows, const Row& row, BodySide side, const RowPart
 
 }  // namespace
 
+bool IsFixed(const BodyHinge& of_body, const AngleRange& range) {
+  return !of_body.is_usual && range.high - range.low < kFixed;
+}
+
 HingeSpec HingeOfBody(const BodyHinge& of_body, const Mat3& frame, const AngleRange& range,
                       double strength) {
   HingeSpec hinge;
@@ -137,7 +141,7 @@ HingeSpec HingeOfBody(const BodyHinge& of_body, const Mat3& frame, const AngleRa
     hinge.strength->positive.torque *= strength;
     hinge.strength->negative.torque *= strength;
   }
-  if (!of_body.is_usual && range.high - range.low < kFixed) {
+  if (IsFixed(of_body, range)) {
     hinge.lower = hinge.upper = 0.5 * (range.low + range.high);
     return hinge;
   }

@@ -34,9 +34,11 @@ struct AngleRange {
   double low = 0.0, high = 0.0;
 };
 
+// Whether the hinge is fixed: people cannot turn it, and it hardly turns.
+bool IsFixed(const BodyHinge& of_body, const AngleRange& range);
+
 // The hinge of a joint: its axis in `frame`, the body axes in the bone's; its limits wider where
-// `range` goes farther than people do, and fixed where they cannot turn it and it does not turn;
-// its torques times `strength`.
+// `range` goes farther than people do; its torques times `strength`.
 HingeSpec HingeOfBody(const BodyHinge& of_body, const Mat3& frame, const AngleRange& range,
                       double strength);
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "engine/exchange/import/figure_parts.h"
 
@@ -12,6 +13,7 @@ constexpr double kStub = 0.3;          // of a bone of no known length, as a sha
 constexpr double kThickest = 0.45;     // radius of an unknown bone, as a share of its length
 constexpr double kMostOfHeight = 0.1;  // radius, as a share of the height
 constexpr double kRoundest = 0.25;     // the same of a head or a fist, measured
+constexpr double kThinnest = 0.005;    // radius of a foot, as a share of the height
 constexpr int kFewVertices = 12;
 
 // The skin's vertices that follow each kept bone most, at rest in its body's frame [m].
@@ -50,11 +52,16 @@ class LinkMaker {
         skeleton_(skeleton),
         plan_(plan),
         world_(world),
-        vertices_(VerticesOf(skin, skeleton.bones.size())) {}
+        vertices_(VerticesOf(skin, skeleton.bones.size())),
+        rest_(RestBodies(plan)) {}
 
   std::vector<std::vector<LinkSpec>> Make() const {
     std::vector<std::vector<LinkSpec>> links;
-    for (size_t k = 0; k < skeleton_.bones.size(); ++k) links.push_back(LinksOn(k));
+    for (size_t k = 0; k < skeleton_.bones.size(); ++k) {
+      links.push_back(LinksOn(k));
+      if (!IsOfFoot(k) || vertices_[k].empty()) continue;
+      for (LinkSpec& link : links.back()) PutOnSole(k, &link);
+    }
     return links;
   }
 
@@ -73,6 +80,26 @@ class LinkMaker {
       links.push_back(std::move(link));
     }
     return links;
+  }
+
+  bool IsOfFoot(size_t k) const {
+    const BodyRole role = skeleton_.bones[k].place.role;
+    return role == BodyRole::kFoot || role == BodyRole::kToe;
+  }
+
+  // At rest, when feet are flat, no thicker than the skin is high there, and not below it.
+  void PutOnSole(size_t k, LinkSpec* link) const {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const Vec3& p : vertices_[k]) {
+      const double z = (rest_[k] * p).z();
+      low = std::min(low, z);
+      high = std::max(high, z);
+    }
+    link->radius = std::min(link->radius, std::max(0.5 * (high - low), kThinnest * world_.height));
+    for (Vec3* end : {&link->from, &link->to}) {
+      const double below = low + link->radius - (rest_[k] * *end).z();
+      if (below > 0.0) *end += below * rest_[k].R.row(2).transpose();
+    }
   }
 
   // Whether nothing but the skin says how far the bone goes.
@@ -155,6 +182,7 @@ class LinkMaker {
   const FigurePlan& plan_;
   const WorldFrame& world_;
   std::vector<std::vector<Vec3>> vertices_;
+  std::vector<Pose> rest_;  // of the bodies
 };
 
 }  // namespace

@@ -21,7 +21,8 @@ Skin SkinFor(const Character& character, const Skeleton& skeleton, const FigureP
              const WorldFrame& world);
 
 // Capsules from each joint to those beyond it, by kept bone, in the bodies' frames [m], without
-// masses. Thick as the skin is there; without one as such a part of a body is, or a stick.
+// masses. Thick as the skin is there; without one as such a part of a body is, or a stick. Those of
+// feet reach as far down as their skin does at rest.
 std::vector<std::vector<LinkSpec>> LinksOf(const Character& character, const Skeleton& skeleton,
                                            const FigurePlan& plan, const Skin& skin,
                                            const WorldFrame& world);
@@ -50,9 +51,10 @@ std::string Weigh(const Skeleton& skeleton, const FigurePlan& plan, const Skin& 
                   std::vector<std::vector<LinkSpec>>* links);
 
 // Returns the height of the ground under a figure that stands on it [m]: the lowest place in the
-// clip, except in one frame of twenty, of its skin or, without a skin, of its capsules (`links`, by
-// kept bone). 0 if that is within a few centimetres of 0.
-double GroundUnder(const FigurePlan& plan, const Skin& skin,
+// clip, except in one frame of twenty, of the skin of its feet or, without a skin, of their
+// capsules (`links`, by kept bone); where no bone is a foot, of all. 0 if that is within a few
+// centimetres of 0.
+double GroundUnder(const Skeleton& skeleton, const FigurePlan& plan, const Skin& skin,
                    const std::vector<std::vector<LinkSpec>>& links);
 
 }  // namespace hazumi

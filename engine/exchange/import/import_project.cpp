@@ -85,7 +85,7 @@ class Importer {
       project_.skin.skin = std::make_shared<const Skin>(std::move(skin_));
     }
     project_.size_is_guessed = report_.unit_is_guessed;
-    project_.source = SourceOf(character_, clip_, world_, options_);
+    project_.source = SourceOf(character_, skeleton_, clip_, world_, options_);
     if (auto error = WhyNoProject(project_)) return *error;
     return Imported{std::move(project_), std::move(report_)};
   }
@@ -120,6 +120,7 @@ class Importer {
     if (auto error = GiveRoles(options_.roles, character_, &skeleton_)) return *error;
     if (options_.faces_forward) FaceForward(skeleton_, &report_, &world_);
     ReportBones();
+    SayMissing();
     if (auto error = WhyTooTall(world_)) return *error;
     if (auto error = CheckSize()) return *error;
     plan_ = PlanFigure(character_, skeleton_, clip_, world_, options_, &report_);
@@ -180,6 +181,29 @@ class Importer {
       const KeptBone& bone = skeleton_.bones[k];
       report_.bones.push_back({character_.bones[static_cast<size_t>(bone.bone)].name, bone.parent,
                                bone.place, rest[k].X_R.p});
+    }
+  }
+
+  // Parts of limbs without which throws, jumps and poses leave the limb alone.
+  void SayMissing() {
+    using enum BodyRole;
+    const auto has = [&](const auto& is_it) {
+      return std::any_of(skeleton_.bones.begin(), skeleton_.bones.end(),
+                         [&](const KeptBone& bone) { return is_it(bone.place); });
+    };
+    const auto has_limb = [&](BodyRole first, BodyRole last) {
+      return has([&](BodyPlace place) { return place.role >= first && place.role <= last; });
+    };
+    if (!has_limb(kUpperArm, kHand) || !has_limb(kThigh, kFoot)) return;  // no whole body
+    for (const BodyRole role : {kUpperArm, kForearm, kThigh, kShin}) {
+      for (const BodySide side : {BodySide::kLeft, BodySide::kRight}) {
+        if (has([&](BodyPlace place) { return place == BodyPlace{role, side}; })) continue;
+        std::string part = NameOf(role);
+        std::replace(part.begin(), part.end(), '_', ' ');
+        report_.warnings.push_back(
+            {"roles", std::string("no bone is the ") + NameOf(side) + " " + part +
+                          "; say which it is, or throws, jumps and poses leave that limb alone"});
+      }
     }
   }
 
@@ -343,7 +367,7 @@ class Importer {
     project_.figure.embedded_json = FigureText(spec);
     project_.figure.spec = std::move(spec);
     report_.facts.push_back(FormatShort(figure.value().total_mass()) + " kg, " + how);
-    SetGround(GroundUnder(plan_, skin_, links));
+    SetGround(GroundUnder(skeleton_, plan_, skin_, links));
     return std::nullopt;
   }
 
@@ -354,8 +378,8 @@ class Importer {
     ground.name = "ground";
     ground.shape = plane;
     if (height == 0.0) return;
-    report_.facts.push_back("the ground is at z = " + FormatShort(height) +
-                            " m, where the figure stands");
+    report_.facts.push_back("the ground is put at z = " + FormatShort(height) +
+                            " m, under the figure's feet");
   }
 
   const Character& character_;

@@ -2,12 +2,22 @@
 
 namespace hazumi {
 
-ProjectSource SourceOf(const Character& character, const Clip* clip, const WorldFrame& world,
-                       const ImportOptions& options) {
+ProjectSource SourceOf(const Character& character, const Skeleton& skeleton, const Clip* clip,
+                       const WorldFrame& world, const ImportOptions& options) {
   ProjectSource source;
   source.file = character.file;
   source.character = character.chosen;
   if (clip) source.clip = clip->name;
+  source.above = character.above;
+  std::vector<std::string> bones;  // above the root
+  const Bone* bone = &character.bones[static_cast<size_t>(skeleton.bones[0].bone)];
+  while (bone->parent >= 0) {
+    bone = &character.bones[static_cast<size_t>(bone->parent)];
+    bones.push_back(bone->name);
+  }
+  for (size_t i = bones.size(); i-- > 0;) {
+    source.above += (source.above.empty() ? "" : "/") + bones[i];
+  }
   source.fps = options.fps;
   source.z_up = world.up == UpAxis::kZ;
   source.metres_per_unit = world.metres;

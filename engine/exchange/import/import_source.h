@@ -7,7 +7,7 @@
 namespace hazumi {
 
 // `clip`: null if there is none. Its inverse is OptionsOf (import_project.h).
-ProjectSource SourceOf(const Character& character, const Clip* clip, const WorldFrame& world,
-                       const ImportOptions& options);
+ProjectSource SourceOf(const Character& character, const Skeleton& skeleton, const Clip* clip,
+                       const WorldFrame& world, const ImportOptions& options);
 
 }  // namespace hazumi

@@ -107,8 +107,11 @@ class Planner {
     std::string message = std::string(what) + " in its parent is dropped:";
     for (int i = 0; i < 3; ++i) {
       if (range.high[i] - range.low[i] <= 1e-12) continue;
-      message += std::string(" ") + "xyz"[i] + " " + FormatShort(unit * range.low[i]) + " to " +
-                 FormatShort(unit * range.high[i]) + unit_name;
+      const auto text = [unit](double value) {
+        return FormatShort(std::round(1e3 * unit * value) / 1e3 + 0.0);
+      };
+      message += std::string(" ") + "xyz"[i] + " " + text(range.low[i]) + " to " +
+                 text(range.high[i]) + unit_name;
     }
     report_->warnings.push_back({bone.name, message + "; joints only turn"});
   }
@@ -165,9 +168,18 @@ class Planner {
             track(k).rotations.empty() ? before : Mat3(before * world_.Turned(Turned(k, f)));
         joint.angles[static_cast<size_t>(f)] = previous = angles(R, previous);
       }
+      for (int h = 0; h < 3; ++h) HoldStill(h, &joint);
       joint.frame = A[k];
       joint.orientation = A_p * A[k].transpose();
     }
+  }
+
+  // A hinge that is fixed is exactly so.
+  static void HoldStill(int h, PlannedJoint* joint) {
+    HingeRange range = RangeOf(joint->angles);
+    const AngleRange angles = {range.low[h], range.high[h]};
+    if (joint->angles.empty() || !IsFixed((*joint->body)[static_cast<size_t>(h)], angles)) return;
+    for (Vec3& at : joint->angles) at[h] = 0.5 * (angles.low + angles.high);
   }
 
   std::optional<Vec3> EndOf(size_t k, const std::vector<Pose>& rest) const {

@@ -9,6 +9,18 @@
 namespace hazumi {
 namespace {
 
+// Names of the nodes above the first bone.
+std::string NamesAbove(const SceneTree& tree, const SceneSkeleton& skeleton) {
+  std::string names;
+  const std::vector<int>& chain = skeleton.chains[0];
+  for (size_t i = 0; i + 1 < chain.size(); ++i) {
+    const SceneNode& node = tree.node(chain[i]);
+    if (node.is_helper || node.name.empty()) continue;
+    names += (names.empty() ? "" : "/") + ValidUtf8(node.name);
+  }
+  return names;
+}
+
 Result<Done> AddBones(const SceneTree& tree, const ReadChoice& choice, const std::string& file,
                       Character* character) {
   Result<SceneSkeleton> skeleton = FindSkeleton(tree, choice.character, file, &character->warnings);
@@ -19,6 +31,7 @@ Result<Done> AddBones(const SceneTree& tree, const ReadChoice& choice, const std
   character->clips = std::move(clips).value();
   character->meshes = ReadMeshes(tree, skeleton.value(), &character->warnings);
   character->bones = std::move(skeleton.value().bones);
+  character->above = NamesAbove(tree, skeleton.value());
   character->chosen = std::move(skeleton.value().chosen);
   character->others = std::move(skeleton.value().others);
   return Done{};

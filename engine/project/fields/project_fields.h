@@ -209,6 +209,10 @@ void Describe(Ar& ar, Ref<Ar, ProjectSource> source) {
       source.file);
   ar.Optional({.name = "character", .details = "Which of several."}, source.character);
   ar.Optional({.name = "clip", .details = "Which of its clips the keys come from."}, source.clip);
+  ar.Optional(
+      {.name = "above",
+       .details = "Nodes on which the skeleton hangs, as Rig/root; glTF is written with them."},
+      source.above);
   ar.Optional({.name = "fps",
                .details = "Frames per second at which it was read; default: its own.",
                .range = kPositive},

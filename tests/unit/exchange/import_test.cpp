@@ -139,7 +139,7 @@ TEST(Import, PutsTheGroundUnderTheFeet) {
   EXPECT_NEAR(plane.offset_m, lowest[5], 1e-8);  // one frame in twenty is a stray one
   const auto& facts = imported.report.facts;
   EXPECT_TRUE(std::any_of(facts.begin(), facts.end(), [](const std::string& fact) {
-    return fact.starts_with("the ground is at z = ");
+    return fact.starts_with("the ground is put at z = ");
   }));
 }
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "engine/exchange/import/import_project.h"
 #include "tests/support/random.h"
 #include "tests/unit/exchange/made_people.h"
@@ -74,6 +76,19 @@ TEST(RoleMap, RoleOfWhichABodyHasOneLeavesTheBoneBefore) {
     if (bone.name == spine) EXPECT_EQ(bone.place.role, BodyRole::kHead);
     if (bone.name == head) EXPECT_EQ(bone.place.role, BodyRole::kNone);
   }
+}
+
+TEST(RoleMap, WhatALimbLacksThenIsSaid) {
+  ImportOptions options;
+  options.roles["RightForeArm"] = {BodyRole::kNeck, BodySide::kMiddle};
+  const Result<Imported> imported = ImportProject(test::Person({}), options);
+  ASSERT_TRUE(imported.ok()) << imported.error().ToString();
+  const std::vector<Warning>& warnings = imported.value().report.warnings;
+  EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(), [](const Warning& warning) {
+    return warning.message.starts_with("no bone is the right forearm; ");
+  }));
+  const Result<Imported> whole = ImportProject(test::Person({}), {});
+  for (const Warning& warning : whole.value().report.warnings) EXPECT_NE(warning.place, "roles");
 }
 
 TEST(RoleMap, RolesThatCannotBeAreRefused) {

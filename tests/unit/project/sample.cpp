@@ -88,7 +88,7 @@ constexpr const char* kSample = R"({
     "r_shoulder_flexion": {"keys": [{"frame": 0, "angle_deg": 45}]}
   },
   "size_is_guessed": true,
-  "source": {"file": "walk.glb", "character": "rig", "clip": "walk", "fps": 30, "z_up": true,
+  "source": {"file": "walk.glb", "character": "rig", "clip": "walk", "above": "Rig/root", "fps": 30, "z_up": true,
              "metres_per_unit": 0.01, "reduce_deg": 1, "file_hinges": true,
              "file_facing": true},
   "regions": [

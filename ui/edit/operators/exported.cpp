@@ -89,6 +89,7 @@ Result<std::string> BytesOf(const ExportSource& source, const ExportSettings& se
   options.format = settings.format;
   if (!source.name.empty()) options.name = source.name;
   options.generator = std::string("Hazumi ") + kVersion;
+  if (source.imported_from) options.above = source.imported_from->above;
   options.up = settings.up;
   options.metres_per_unit = settings.metres_per_unit;
   options.torques = settings.torques;

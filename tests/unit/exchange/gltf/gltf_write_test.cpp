@@ -96,6 +96,21 @@ TEST(GltfFile, LeavesNormalsOutThatHaveNoLength) {
       Written(character).json["meshes"][0]["primitives"][0]["attributes"].contains("NORMAL"));
 }
 
+TEST(GltfFile, HangsTheSkeletonOnTheNodesAboveIt) {
+  const Character character = HumanCharacter(2);
+  const auto text = GltfFile(character, {GltfContainer::kText, "test", "", {}, "Rig/Armature"});
+  ASSERT_TRUE(text.ok()) << text.error().ToString();
+  const Json document = Json::parse(text.value());
+  const Json& top = document["nodes"][document["scenes"][0]["nodes"][0].get<size_t>()];
+  EXPECT_EQ(top["name"], "Rig");
+  const Json& below = document["nodes"][top["children"][0].get<size_t>()];
+  EXPECT_EQ(below["name"], "Armature");
+  ASSERT_EQ(below["children"].size(), 1u);
+  EXPECT_EQ(document["nodes"][below["children"][0].get<size_t>()]["name"], character.bones[0].name);
+  const Character again = ReadSmall("a.gltf", text.value());
+  EXPECT_EQ(again.above, "Rig/Armature");
+}
+
 TEST(GltfFile, KeepsColorsOfVerticesAndEmission) {
   Json document = SmallGltf();
   Json& primitive = document["meshes"][0]["primitives"][0];
