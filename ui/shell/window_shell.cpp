@@ -142,6 +142,9 @@ class Loop {
     const double now = glfwGetTime();
     editor_.Tick(now);
     interface_.Frame(window_.size(), now - last_frame_);
+    // What a dialog leaves behind that closes by itself is gone some pictures later.
+    const Modal modal = editor_.dialogs.modal;
+    if (std::exchange(drawn_modal_, modal) != modal) frames_left_ = kFramesAfterEvent;
     sound_.Follow(&editor_);
     input_.ShowCursor();
     glfwSwapBuffers(window_.get());
@@ -216,6 +219,7 @@ class Loop {
   const WindowOptions& options_;
   double last_frame_ = 0.0, event_time_ = -1.0;
   int frames_left_ = kFramesAfterEvent;
+  Modal drawn_modal_ = Modal::kNone;
   std::pair<long, long> traced_document_;      // its number and revision
   int traced_frames_ = 0, traced_passed_ = 0;  // of playback
 };

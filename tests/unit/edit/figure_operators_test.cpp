@@ -64,7 +64,10 @@ TEST(FigureOperators, ARoleIsChangedAndUndone) {
   project.figure.spec.mirror.reset();
   project.figure.embedded_json = FigureText(project.figure.spec);
   session.Replace(project, "");
+  session.set_selected_joints({"l_toe"});
   Do(&session, "figure.role", {{"joint", "l_toe"}, {"role", "finger"}, {"side", "left"}});
+  EXPECT_EQ(session.selected_joints(),
+            (std::set<std::string>{"l_toe_flexion", "l_toe_spread", "l_toe_rotation"}));
   const FigureBody body(session.figure());
   const GroupIndex toe = *session.figure().FindGroup("l_toe");
   EXPECT_EQ(body.PlaceOf(toe), (BodyPlace{BodyRole::kFinger, BodySide::kLeft}));

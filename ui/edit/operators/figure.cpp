@@ -1,5 +1,7 @@
 // The figure. What is mirrored is edited on both sides.
 
+#include <set>
+
 #include "engine/exchange/import/changed_role.h"
 #include "engine/figure/figure_bone.h"
 #include "engine/project/enum_names.h"
@@ -36,6 +38,36 @@ Result<Done> SetLink(Session* session, const Parameters& p) {
   });
 }
 
+// By name of each selected hinge or root: its joint.
+std::vector<std::pair<std::string, std::string>> SelectedByJoint(const Session& session) {
+  const Figure& figure = session.figure();
+  std::vector<std::pair<std::string, std::string>> selected;
+  for (const std::string& name : session.selected_joints()) {
+    const auto hinge = figure.FindJoint(name);
+    selected.emplace_back(name, hinge ? figure.group(figure.joint(*hinge).group).name : name);
+  }
+  return selected;
+}
+
+// Joints stay selected whose hinges have other names now.
+void SelectAgain(const std::vector<std::pair<std::string, std::string>>& selected,
+                 Session* session) {
+  const Figure& figure = session->figure();
+  std::set<std::string> names;
+  for (const auto& [name, joint] : selected) {
+    const auto group = figure.FindGroup(joint);
+    if (figure.FindJoint(name) || !group) {
+      names.insert(name);
+      continue;
+    }
+    const JointGroup& hinges = figure.group(*group);
+    for (int j = hinges.first.value(); j <= hinges.last().value(); ++j) {
+      names.insert(figure.joint(JointIndex(j)).name);
+    }
+  }
+  session->set_selected_joints(std::move(names));
+}
+
 Result<Done> SetRole(Session* session, const Parameters& p) {
   BodyPlace place;
   for (const auto& role : EnumNames<BodyRole>::kNames) {
@@ -44,8 +76,11 @@ Result<Done> SetRole(Session* session, const Parameters& p) {
   for (const auto& side : EnumNames<BodySide>::kNames) {
     if (p.text("side") == side.name) place.side = side.value;
   }
-  return session->Edit(
+  const auto selected = SelectedByJoint(*session);
+  Result<Done> done = session->Edit(
       "Change role", [&](Project* project) { return ChangeRole(p.text("joint"), place, project); });
+  if (done.ok()) SelectAgain(selected, session);
+  return done;
 }
 
 std::string FolderOf(const std::string& path) {

@@ -68,6 +68,15 @@ std::string FirstOnto(const Editor& editor) {
   return (fs::path(FirstPath(editor)).parent_path() / source->file).string();
 }
 
+// Nothing proposes to write over the file that the figure was imported from.
+void KeepSource(const Editor& editor, ExportState* state) {
+  const auto& source = editor.session().project().source;
+  fs::path path = state->path;
+  if (!source || path.filename() != source->file) return;
+  path.replace_filename(path.stem().string() + "_new" + path.extension().string());
+  state->path = path.string();
+}
+
 void StartPreview(Editor* editor) {
   ExportState& state = editor->dialogs.exporting;
   const bool is_busy = state.preview && !state.preview->result();
@@ -278,6 +287,7 @@ void OpenExportDialog(Editor* editor) {
     state.first = state.settings.first;
     state.last = state.settings.last;
     state.path = FirstPath(*editor) + SuffixOf(state);
+    KeepSource(*editor, &state);
     state.through_project_camera = editor->viewport.through_project_camera;
     state.document = document;
     state.is_onto = false;

@@ -92,8 +92,12 @@ std::vector<std::string> ExportFacts(const Editor& editor, const ExportSummary* 
   if (!summary) return {};
   if (IsOnto(editor)) {
     if (summary->joints == 0) return {Tr("No bone has changed: the file is as it was.")};
+    const std::string& clip = editor.session().project().source->clip;
     return {Count(summary->joints, Tr("1 bone has changed"), Tr("%d bones have changed")) +
-            Tr(", ") + SizeText(summary->num_bytes)};
+                Tr(", ") + SizeText(summary->num_bytes),
+            (clip.empty() ? Tr("Its clip becomes: ")
+                          : Filled(Tr("The clip \"%s\" becomes: "), clip.c_str())) +
+                LengthText(editor) + Tr("; other clips stay as they are")};
   }
   std::vector<std::string> facts = {MotionLine(editor, *summary)};
   AddOfFormat(ExportSettingsOf(editor), *summary, &facts);
@@ -108,15 +112,16 @@ std::vector<std::string> LeftOut(const Editor& editor, const ExportSummary* summ
   const int num_frames = project.frames.last - project.frames.first;
   const int rest = num_frames - (settings.last - settings.first);
   if (rest > 0) left_out.push_back(Count(rest, Tr("1 frame"), Tr("%d frames")));
-  if (state.is_video || !summary || IsOnto(editor)) return left_out;
+  if (state.is_video || !summary) return left_out;
   const int regions = static_cast<int>(project.regions.size());
-  if (regions > 0 && !HasRegions(settings.format)) {
+  if (regions > 0 && (IsOnto(editor) || !HasRegions(settings.format))) {
     left_out.push_back(Count(regions, Tr("1 region"), Tr("%d regions")));
   }
   AddHeldObjects(project, settings.format, *summary, &left_out);
   for (const ProjectSceneObject& object : project.scene.objects) {
     if (!summary->names.contains(object.name)) left_out.push_back(object.name);
   }
+  if (IsOnto(editor)) return left_out;
   const bool drops_skin = project.skin && settings.skin != edit::ExportSkin::kCharacter;
   if (project.skin && (!HasMeshes(state) || drops_skin)) {
     left_out.emplace_back(Tr("the character's meshes"));

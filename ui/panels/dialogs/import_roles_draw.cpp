@@ -19,8 +19,11 @@ constexpr const char* kPopup = "##roles";
 // A list of all roles. The one that was chosen.
 std::optional<BodyPlace> DrawRoleList(const BodyPlace& now) {
   std::optional<BodyPlace> chosen;
+  const std::string text = TextOf(now);
   for (const BodyPlace& place : AllPlaces()) {
-    if (ListLine(TextOf(place), place == now)) chosen = place;
+    const bool is_now = TextOf(place) == text;
+    if (ListLine(TextOf(place), is_now)) chosen = place;
+    if (is_now && ImGui::IsWindowAppearing()) ImGui::SetScrollHereY();
   }
   return chosen;
 }
@@ -129,12 +132,15 @@ bool DrawLists(const Editor& editor, const std::vector<ImportedBone>& bones, Imp
     }
     ImGui::EndCombo();
   }
-  if (state->bone < 0) return false;
-  const ImportedBone& bone = bones[static_cast<size_t>(state->bone)];
+  const bool has_bone = state->bone >= 0;
+  const ImportedBone bone = has_bone ? bones[static_cast<size_t>(state->bone)] : ImportedBone();
   DrawFieldLabel(Tr("It is"), editor);
   ImGui::SetNextItemWidth(-1.0f);
   std::optional<BodyPlace> chosen;
-  if (ImGui::BeginCombo("##role", TextOf(bone.place).c_str())) {
+  ImGui::BeginDisabled(!has_bone);
+  const bool is_open = ImGui::BeginCombo("##role", has_bone ? TextOf(bone.place).c_str() : "");
+  ImGui::EndDisabled();
+  if (is_open) {
     chosen = DrawRoleList(bone.place);
     ImGui::EndCombo();
   }

@@ -15,7 +15,7 @@ constexpr const char* kLabels[kNumBodyRoles] = {
 
 std::string TextOf(BodyPlace place) {
   std::string role = Tr(kLabels[static_cast<int>(place.role)]);
-  if (place.side == BodySide::kMiddle) return role;
+  if (place.role == BodyRole::kNone || place.side == BodySide::kMiddle) return role;
   return std::string(Tr(place.side == BodySide::kLeft ? "left " : "right ")) + role;
 }
 
