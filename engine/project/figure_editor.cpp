@@ -44,7 +44,7 @@ Result<Done> EditText(ProjectFigure* figure, Edit edit) {
   return done.ok() ? Take(*json, figure) : done;
 }
 
-// What a joint's hinges are, in its JSON.
+// Fields of a joint's JSON that say its hinges and its role.
 constexpr const char* kHingeFields[] = {"orientation_deg", "hinges", "role", "side"};
 
 // "joints" and "hinges" are of the same order in the text and in what was read.

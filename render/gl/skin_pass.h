@@ -38,7 +38,7 @@ class SkinPass {
   };
   using Surface = SkinModel::Surface;
   enum class Side { kSeen, kAway };  // of closed surfaces
-  // What a part's light is made of; each has its own program.
+  // Kind of light that a part needs; each has its own program.
   struct Finish {
     bool is_textured = false, has_colors = false, shines = false;
     bool operator==(const Finish&) const = default;
@@ -60,7 +60,7 @@ class SkinPass {
   void Cull(const SkinModel::Part& part, Side side) const;
 
   const GlFunctions* gl_ = nullptr;
-  // By Surface, for each finish; compiled when first needed.
+  // Programs by Surface and finish, compiled when first needed.
   std::array<std::optional<ShaderProgram>, 3 * kNumFinishes> lit_;
   std::array<std::optional<ShaderProgram>, 3> depth_;
   std::vector<std::unique_ptr<SkinBuffers>> buffers_;

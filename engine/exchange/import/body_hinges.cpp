@@ -127,6 +127,21 @@ BodyHinge HingeOf(const Rows& rows, const Row& row, BodySide side, const RowPart
 
 }  // namespace
 
+RowPart PartOfRow(const std::vector<BodyPlace>& places, size_t joint) {
+  const auto row_of = [&](size_t k) {
+    return places[k].role == BodyRole::kHead ? BodyRole::kNeck : places[k].role;
+  };
+  const BodyRole row = row_of(joint);
+  if (row != BodyRole::kSpine && row != BodyRole::kNeck) return {};
+  int before = 0, all = 0;
+  for (size_t k = 0; k < places.size(); ++k) {
+    if (row_of(k) != row) continue;
+    before += k < joint ? 1 : 0;
+    ++all;
+  }
+  return {static_cast<double>(before) / all, (before + 1.0) / all};
+}
+
 bool IsFixed(const BodyHinge& of_body, const AngleRange& range) {
   return !of_body.is_usual && range.high - range.low < kFixed;
 }

@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "engine/figure/body_role.h"
 #include "engine/figure/figure_spec.h"
@@ -28,6 +29,10 @@ using BodyHinges = std::array<BodyHinge, 3>;  // from the parent out
 struct RowPart {
   double begin = 0.0, end = 1.0;
 };
+
+// The part that a joint has of the spine, or of the neck and the head, by the places of all joints
+// from the root out; of others the whole.
+RowPart PartOfRow(const std::vector<BodyPlace>& places, size_t joint);
 
 // Angles that a hinge has in a clip, or at rest [rad].
 struct AngleRange {

@@ -81,7 +81,7 @@ class RoleChange {
       const bool hangs_on_it = ParentOf(g) == static_cast<size_t>(joint_.value()) + 1;
       if (g != static_cast<size_t>(joint_.value()) && !(hangs_on_it && HasBodyHinges(g))) continue;
       if (body_.HasFourLegs()) continue;  // whose hinges are their file's
-      if (auto hinges = BodyHingesOf(places_[g], PartOfRow(g))) Turn(g, *hinges, &spec);
+      if (auto hinges = BodyHingesOf(places_[g], PartOfRow(places_, g))) Turn(g, *hinges, &spec);
     }
     return ReplaceHinges(changed_, &project_.figure);
   }
@@ -110,7 +110,7 @@ class RoleChange {
     return true;
   }
 
-  // Of bodies, the root's first.
+  // Finds the axes of all bodies, the root's first.
   void FindAxes() {
     std::vector<RestBone> bones(1);
     bones[0].place = {BodyRole::kHips, BodySide::kMiddle};
@@ -139,22 +139,6 @@ class RoleChange {
       A.col(hinges[h].axis) = hinges[h].sign * SpecOf(g).hinges[h].axis.normalized();
     }
     return A;
-  }
-
-  // Of the spine, or of the neck and the head.
-  RowPart PartOfRow(size_t g) const {
-    const auto row_of = [&](size_t joint) {
-      const BodyRole role = places_[joint].role;
-      return role == BodyRole::kHead ? BodyRole::kNeck : role;
-    };
-    if (row_of(g) != BodyRole::kSpine && row_of(g) != BodyRole::kNeck) return {};
-    int before = 0, all = 0;
-    for (size_t other = 0; other < places_.size(); ++other) {
-      if (row_of(other) != row_of(g)) continue;
-      before += other < g ? 1 : 0;
-      ++all;
-    }
-    return {static_cast<double>(before) / all, (before + 1.0) / all};
   }
 
   // Gives the joint these hinges, with the limits that its keys need.

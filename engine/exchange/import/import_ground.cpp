@@ -12,8 +12,8 @@ constexpr double kNear = 0.03;  // [m]
 constexpr size_t kLooks = 60;   // at a skin
 constexpr size_t kStray = 20;   // one frame in so many may be lower
 
-// By kept bone: whether the figure stands on it. Feet and toes, of animals paws too; without any of
-// these on all.
+// Bones that the figure stands on, by kept bone: feet and toes, of animals paws too; without any of
+// these all bones.
 std::vector<bool> StandingBones(const Skeleton& skeleton) {
   std::vector<bool> stands;
   for (const KeptBone& bone : skeleton.bones) {

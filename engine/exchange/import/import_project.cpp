@@ -120,7 +120,7 @@ class Importer {
     if (auto error = GiveRoles(options_.roles, character_, &skeleton_)) return *error;
     if (options_.faces_forward) FaceForward(skeleton_, &report_, &world_);
     ReportBones();
-    SayMissing();
+    SayMissingParts(skeleton_, &report_);
     if (auto error = WhyTooTall(world_)) return *error;
     if (auto error = CheckSize()) return *error;
     plan_ = PlanFigure(character_, skeleton_, clip_, world_, options_, &report_);
@@ -181,29 +181,6 @@ class Importer {
       const KeptBone& bone = skeleton_.bones[k];
       report_.bones.push_back({character_.bones[static_cast<size_t>(bone.bone)].name, bone.parent,
                                bone.place, rest[k].X_R.p});
-    }
-  }
-
-  // Parts of limbs without which throws, jumps and poses leave the limb alone.
-  void SayMissing() {
-    using enum BodyRole;
-    const auto has = [&](const auto& is_it) {
-      return std::any_of(skeleton_.bones.begin(), skeleton_.bones.end(),
-                         [&](const KeptBone& bone) { return is_it(bone.place); });
-    };
-    const auto has_limb = [&](BodyRole first, BodyRole last) {
-      return has([&](BodyPlace place) { return place.role >= first && place.role <= last; });
-    };
-    if (!has_limb(kUpperArm, kHand) || !has_limb(kThigh, kFoot)) return;  // no whole body
-    for (const BodyRole role : {kUpperArm, kForearm, kThigh, kShin}) {
-      for (const BodySide side : {BodySide::kLeft, BodySide::kRight}) {
-        if (has([&](BodyPlace place) { return place == BodyPlace{role, side}; })) continue;
-        std::string part = NameOf(role);
-        std::replace(part.begin(), part.end(), '_', ' ');
-        report_.warnings.push_back(
-            {"roles", std::string("no bone is the ") + NameOf(side) + " " + part +
-                          "; say which it is, or throws, jumps and poses leave that limb alone"});
-      }
     }
   }
 

@@ -140,7 +140,9 @@ class Planner {
   void SetBodyHinges() {
     const std::vector<Pose> rest = RestBodies(plan_);
     std::vector<RestBone> bones;
+    std::vector<BodyPlace> places;
     for (size_t k = 0; k < rest.size(); ++k) {
+      places.push_back(skeleton_.bones[k].place);
       bones.push_back({skeleton_.bones[k].place, plan_.joints[k].parent, rest[k], EndOf(k, rest)});
     }
     const std::vector<Mat3> S = BodyAxesOf(bones);
@@ -148,7 +150,7 @@ class Planner {
     for (size_t k = 0; k < rest.size(); ++k) A.push_back(rest[k].R.transpose() * S[k]);
     for (size_t k = 1; k < rest.size(); ++k) {
       PlannedJoint& joint = plan_.joints[k];
-      joint.body = BodyHingesOf(bones[k].place, PartOfRow(k));
+      joint.body = BodyHingesOf(places[k], PartOfRow(places, k));
       if (!joint.body) continue;
       const Mat3 before = joint.orientation, A_p = A[static_cast<size_t>(joint.parent)];
       const auto angles = [&](const Mat3& R, const Vec3& previous) -> Vec3 {
@@ -186,23 +188,6 @@ class Planner {
     const std::optional<Vec3>& end = bone(k).end_site;
     if (!end) return std::nullopt;
     return rest[k] * world_.Way(skeleton_.rest[skeleton_.bones[k].bone].stretch * *end);
-  }
-
-  // Of the spine, or of the neck and the head.
-  RowPart PartOfRow(size_t k) const {
-    const auto row_of = [&](size_t b) {
-      const BodyRole role = skeleton_.bones[b].place.role;
-      return role == BodyRole::kHead ? BodyRole::kNeck : role;
-    };
-    const BodyRole row = row_of(k);
-    if (row != BodyRole::kSpine && row != BodyRole::kNeck) return {};
-    int before = 0, all = 0;
-    for (size_t b = 0; b < skeleton_.bones.size(); ++b) {
-      if (row_of(b) != row) continue;
-      before += b < k ? 1 : 0;
-      ++all;
-    }
-    return {static_cast<double>(before) / all, (before + 1.0) / all};
   }
 
   // The file's angles, those that jump between two frames, as at 180 degrees, replaced by others

@@ -60,4 +60,26 @@ std::optional<Error> GiveRoles(const RoleMap& roles, const Character& character,
   return std::nullopt;
 }
 
+void SayMissingParts(const Skeleton& skeleton, ImportReport* report) {
+  using enum BodyRole;
+  const auto has = [&](const auto& is_it) {
+    return std::any_of(skeleton.bones.begin(), skeleton.bones.end(),
+                       [&](const KeptBone& bone) { return is_it(bone.place); });
+  };
+  const auto has_limb = [&](BodyRole first, BodyRole last) {
+    return has([&](BodyPlace place) { return place.role >= first && place.role <= last; });
+  };
+  if (!has_limb(kUpperArm, kHand) || !has_limb(kThigh, kFoot)) return;
+  for (const BodyRole role : {kUpperArm, kForearm, kThigh, kShin}) {
+    for (const BodySide side : {BodySide::kLeft, BodySide::kRight}) {
+      if (has([&](BodyPlace place) { return place == BodyPlace{role, side}; })) continue;
+      std::string part = NameOf(role);
+      std::replace(part.begin(), part.end(), '_', ' ');
+      report->warnings.push_back(
+          {"roles", std::string("no bone is the ") + NameOf(side) + " " + part +
+                        "; say which it is, or throws, jumps and poses leave that limb alone"});
+    }
+  }
+}
+
 }  // namespace hazumi

@@ -16,4 +16,8 @@ bool TellRolesByShape(const WorldFrame& world, Skeleton* skeleton);
 std::optional<Error> GiveRoles(const RoleMap& roles, const Character& character,
                                Skeleton* skeleton);
 
+// Warns of each part of a limb that no bone is, in a body with arms and legs: throws, jumps and
+// poses leave that limb alone.
+void SayMissingParts(const Skeleton& skeleton, ImportReport* report);
+
 }  // namespace hazumi

@@ -131,7 +131,7 @@ struct JumpPins {
 // figure then.
 Result<Done> PutJump(const JumpPlan& plan, JumpPins pins, Project* project);
 
-// What a jump may ask of the legs.
+// Strength that a jump may ask of the legs.
 enum class Push {
   kOfPeople,  // what people's can give and take
   kAny,       // whatever the flight needs; effort says how much that is

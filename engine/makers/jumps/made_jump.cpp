@@ -46,7 +46,7 @@ Stance Gathered(Stance stance, const JumpBody& body) {
   return stance;
 }
 
-// Where the middle of the toes is in the crouch if one foot stays where it is.
+// Returns the middle of the toes in the crouch if one foot stays where it is.
 Vec3 SpotOver(const Vec3& foot, size_t side, const Stance& crouch, Stage* stage) {
   const Vec3 middle = stage->ToesOf(crouch, Vec3::Zero());
   const Vec3 aside = middle - stage->FeetOf(crouch, Vec3::Zero())[side];

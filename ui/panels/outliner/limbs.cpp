@@ -37,12 +37,12 @@ const char* WordOf(BodySide side) {
   return side == BodySide::kLeft ? "left " : "right ";
 }
 
-std::string NameOfLimb(const Figure& figure, const FigureBody& body, const FigureSides& sides,
-                       const std::vector<GroupIndex>& joints) {
+std::string NameOfLimb(const Figure& figure, const FigureBody& body, bool has_four_legs,
+                       const FigureSides& sides, const std::vector<GroupIndex>& joints) {
   const std::string& first = figure.group(joints.front()).name;
   std::string part;
   for (size_t i = 0; part.empty() && i < joints.size(); ++i) {
-    part = PartOf(body.PlaceOf(joints[i]).role, body.HasFourLegs());
+    part = PartOf(body.PlaceOf(joints[i]).role, has_four_legs);
   }
   if (part.empty()) {
     const std::string& last = figure.group(joints.back()).name;
@@ -82,8 +82,9 @@ std::vector<Limb> LimbsOf(const Figure& figure) {
     limbs[limb_of[g]].is_end = num_children[g] == 0;
   }
   const FigureBody body(figure);
+  const bool has_four_legs = body.HasFourLegs();
   const FigureSides sides(figure);
-  for (Limb& limb : limbs) limb.name = NameOfLimb(figure, body, sides, limb.joints);
+  for (Limb& limb : limbs) limb.name = NameOfLimb(figure, body, has_four_legs, sides, limb.joints);
   return limbs;
 }
 
