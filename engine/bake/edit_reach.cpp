@@ -8,6 +8,22 @@
 
 namespace hazumi {
 
+namespace {
+
+// First key of the run that leads to key `i`, or just that key.
+size_t FirstOfRun(const Keys& keys, size_t i) {
+  while (i > 0 && IsOfRun(keys[i - 1].interpolation)) --i;
+  return i;
+}
+// Frame of the last key of the run that goes on from key `i`, or just that key's.
+double EndOfRun(const Keys& keys, std::ptrdiff_t i) {
+  size_t last = static_cast<size_t>(i);
+  while (last + 1 < keys.size() && IsOfRun(keys[last].interpolation)) ++last;
+  return keys[last].frame;
+}
+
+}  // namespace
+
 EditReach EditReach::Everything() {
   EditReach reach;
   reach.Include(-kEver);
@@ -26,12 +42,13 @@ bool EditReach::IncludeKeys(const Keys& before, const Keys& after) {
   const auto [old_first, new_first] =
       std::mismatch(before.begin(), before.end(), after.begin(), after.end());
   if (old_first == before.end() && new_first == after.end()) return false;
-  const auto first = old_first - before.begin();
-  Include(first < 2 ? -kEver : before[first - 2].frame);
+  const size_t differs = static_cast<size_t>(old_first - before.begin());
+  const size_t tangent = differs == 0 ? 0 : FirstOfRun(before, differs - 1);
+  Include(tangent == 0 ? -kEver : before[tangent - 1].frame);
   const auto [old_last, new_last] =
       std::mismatch(before.rbegin(), before.rend(), after.rbegin(), after.rend());
-  if (old_last != before.rend()) Include(old_last->frame);
-  if (new_last != after.rend()) Include(new_last->frame);
+  if (old_last != before.rend()) Include(EndOfRun(before, old_last.base() - before.begin() - 1));
+  if (new_last != after.rend()) Include(EndOfRun(after, new_last.base() - after.begin() - 1));
   return true;
 }
 
@@ -41,7 +58,8 @@ void EditReach::IncludeRegion(const DynamicsRegion& region, const Animation& ani
   const auto include_arrival = [&](const Keys& keys) {
     const auto is_before = [](const Key& key, double frame) { return key.frame < frame; };
     const auto key = std::lower_bound(keys.begin(), keys.end(), region.first_frame, is_before);
-    Include(key == keys.begin() ? -kEver : std::prev(key)->frame);
+    const size_t first = FirstOfRun(keys, static_cast<size_t>(key - keys.begin()));
+    Include(first == 0 ? -kEver : keys[first - 1].frame);
   };
   for (const JointIndex j : region.joints) include_arrival(animation.joint_keys[j.value()]);
   for (int c = kRootAngleZ; c < kNumRootCurves && region.root; ++c) {

@@ -73,7 +73,11 @@ void CurveTrack::PlanUpTo(double frame) {
       continue;
     }
     const double rate = key->rate.value_or(Evaluate(before, before.last_frame).rate);
-    Append(key->frame, key->value, rate, key);
+    if (IsOfRun(key->interpolation) && HasKeyAfter(key->frame)) {
+      AppendOfRun(rate, *key);
+    } else {
+      Append(key->frame, key->value, rate, key);
+    }
   }
 }
 
@@ -118,7 +122,9 @@ void CurveTrack::Append(double frame, double value, double rate, const Key* left
   }
   const Key& target = (*keys_)[next];
   const double duration = Seconds(target.frame - frame);
-  const Interpolation kind = left ? left->interpolation : Interpolation::kCubic;
+  // What comes out of a takeover is no part of a run.
+  const bool is_single = left && !IsOfRun(left->interpolation);
+  const Interpolation kind = is_single ? left->interpolation : Interpolation::kCubic;
   Interval interval = Interval::Hold(value);
   if (kind == Interpolation::kLinear) interval = Interval::Linear(value, target.value, duration);
   if (kind == Interpolation::kQuadratic) {
@@ -136,6 +142,58 @@ void CurveTrack::Append(double frame, double value, double rate, const Key* left
     interval = Interval::Eased(value, target.value, duration, kind, left->easing);
   }
   segments_.push_back({frame, target.frame, interval});
+}
+
+// Whether a run goes on through a key.
+bool CurveTrack::GoesOnThrough(size_t index) const {
+  if (index == 0 || index + 1 >= keys_->size()) return false;
+  const Key &before = (*keys_)[index - 1], &key = (*keys_)[index];
+  return IsOfRun(key.interpolation) && before.interpolation == key.interpolation && !key.rate &&
+         !key.rate_in && !IsTakenOver(key.frame);
+}
+
+// The run that the interval after a key belongs to.
+const SplineRun& CurveTrack::RunThrough(size_t index) {
+  for (const SplineRun& run : runs_) {
+    if (run.first() <= index && index < run.last()) return run;
+  }
+  size_t first = index, last = index + 1;
+  while (GoesOnThrough(first)) --first;
+  while (GoesOnThrough(last)) ++last;
+  const Key& end = (*keys_)[last];
+  std::optional<double> rate = end.rate_in ? end.rate_in : end.rate;
+  if (!rate && last + 1 < keys_->size() && !IsTakenOver(end.frame)) {
+    rate = AutomaticArrival(last, (*keys_)[last - 1].frame, (*keys_)[last - 1].value);
+  }
+  runs_.push_back(SplineRun(*keys_, first, last, (*keys_)[index].interpolation, rate_, rate));
+  return runs_.back();
+}
+
+// The curve goes on with what the interval before ended with, wherever that began: the same bits
+// after a restart.
+void CurveTrack::AppendOfRun(double rate, const Key& left) {
+  const size_t index = static_cast<size_t>(&left - keys_->data());
+  const SplineRun& run = RunThrough(index);
+  const Key& target = (&left)[1];
+  const Segment& before = segments_.back();
+  const bool is_inside = index > run.first() && before.last_frame == left.frame &&
+                         before.first_frame == (&left)[-1].frame;
+  SplineRun::State from;
+  if (is_inside) {
+    const CurveSample at = Evaluate(before, left.frame);
+    from = {at.rate, at.acceleration};
+  } else {
+    const bool is_free = before.first_frame == -kEver && !left.rate;
+    from = run.Begin(index, is_free ? std::nullopt : std::optional(rate));
+  }
+  const SplineRun::State to = run.Next(index, from);
+  const double duration = Seconds(target.frame - left.frame);
+  const bool is_jerk = left.interpolation == Interpolation::kLeastJerk;
+  segments_.push_back(
+      {left.frame, target.frame,
+       is_jerk ? Interval::Quintic({left.value, from.rate, from.acceleration},
+                                   {target.value, to.rate, to.acceleration}, duration)
+               : Interval::Cubic(left.value, from.rate, target.value, to.rate, duration)});
 }
 
 double CurveTrack::ArrivalRate(const Key& target, size_t index, double start_frame,

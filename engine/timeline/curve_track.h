@@ -5,6 +5,7 @@
 #include "engine/timeline/frame_time.h"
 #include "engine/timeline/interval.h"
 #include "engine/timeline/keyframe.h"
+#include "engine/timeline/spline_run.h"
 
 namespace hazumi {
 
@@ -17,6 +18,11 @@ namespace hazumi {
 //   before ended; the first key starts at rate 0.
 // - A cubic arrives with the right key's rate if given (`rate_in` before `rate`), else with an
 //   automatic tangent: between two neighbours as AutomaticRate, at the last key flat.
+// - Intervals of least acceleration or jerk that follow each other are one run, up to a key that
+//   states a rate or on which something takes over. A run begins as any interval does, but free
+//   where the first key of the curve states no rate; it ends with the right key's rate if given,
+//   free at the last key or a takeover, and else with an automatic tangent. On the way out of a
+//   takeover such an interval is a cubic.
 // - Tangents have their lengths between two keys alone, not on the way out of a takeover.
 // - At a key on which a takeover begins the keys beyond it say nothing, so the tangent there is
 //   that of a parabola [Arai 2.5 (1)]: marking a region lets the limb go with the speed that its
@@ -67,6 +73,10 @@ class CurveTrack {
   using Segment = Piece;
 
   void PlanUpTo(double frame);
+  // Up to the next key of a run, from the key `left`, where the last segment ends.
+  void AppendOfRun(double rate, const Key& left);
+  const SplineRun& RunThrough(size_t index);
+  bool GoesOnThrough(size_t index) const;
   // Up to the next key; `left`: of whose kind, null for a cubic of its own.
   void Append(double frame, double value, double rate, const Key* left);
   double ArrivalRate(const Key& target, size_t index, double start_frame, double start_value,
@@ -84,6 +94,7 @@ class CurveTrack {
   double default_value_;
   std::vector<double> takeovers_;  // ascending
   std::vector<Segment> segments_;
+  std::vector<SplineRun> runs_;  // that were asked for
 };
 
 // Between which values a curve stays, and the frames at which it is there.

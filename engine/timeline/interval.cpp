@@ -70,6 +70,21 @@ Interval Interval::Cubic(double v1, double r1, double v2, double r2, double dura
   return interval;
 }
 
+Interval Interval::Quintic(const CurveSample& from, const CurveSample& to, double duration) {
+  const double T = duration, T2 = T * T, T3 = T2 * T;
+  // What is left at the end of the parabola that the first sample begins.
+  const double value = to.value - from.value - from.rate * T - 0.5 * from.acceleration * T2;
+  const double rate = to.rate - from.rate - from.acceleration * T;
+  const double acceleration = to.acceleration - from.acceleration;
+  Interval interval;
+  interval.way_ =
+      QuinticWay{{from.value, from.rate, 0.5 * from.acceleration,
+                  (10.0 * value - 4.0 * rate * T + 0.5 * acceleration * T2) / T3,
+                  (-15.0 * value + 7.0 * rate * T - acceleration * T2) / (T3 * T),
+                  (6.0 * value - 3.0 * rate * T + 0.5 * acceleration * T2) / (T3 * T2)}};
+  return interval;
+}
+
 Interval Interval::Eased(double v1, double v2, double duration, Interpolation kind, Easing easing) {
   Interval interval;
   interval.way_ = EasedWay{v1, v2, duration, kind, easing};
@@ -91,6 +106,12 @@ CurveSample Interval::At(double s) const {
     const auto& [c0, c1, c2, c3] = polynomial->c;
     return {c0 + s * (c1 + s * (c2 + s * c3)), c1 + s * (2.0 * c2 + s * 3.0 * c3),
             2.0 * c2 + 6.0 * c3 * s};
+  }
+  if (const auto* quintic = std::get_if<QuinticWay>(&way_)) {
+    const auto& [c0, c1, c2, c3, c4, c5] = quintic->c;
+    return {c0 + s * (c1 + s * (c2 + s * (c3 + s * (c4 + s * c5)))),
+            c1 + s * (2.0 * c2 + s * (3.0 * c3 + s * (4.0 * c4 + s * 5.0 * c5))),
+            2.0 * c2 + s * (6.0 * c3 + s * (12.0 * c4 + s * 20.0 * c5))};
   }
   if (const auto* eased = std::get_if<EasedWay>(&way_)) return eased->At(s);
   return std::get<WeightedWay>(way_).At(s);

@@ -15,7 +15,8 @@ struct CurveSample {
 };
 
 // How a curve runs from key to key, in the seconds since its start: a polynomial of degree three at
-// most [Arai 2.5], an eased way, or a cubic whose tangents are longer or shorter than a third.
+// most [Arai 2.5] or of degree five, an eased way, or a cubic whose tangents are longer or shorter
+// than a third.
 class Interval {
  public:
   static Interval Hold(double value);
@@ -23,6 +24,8 @@ class Interval {
   // From v1 with rate r1 to v2; arrives with the rate 2 (v2 - v1) / duration - r1.
   static Interval Quadratic(double v1, double r1, double v2, double duration);
   static Interval Cubic(double v1, double r1, double v2, double r2, double duration);
+  // From value, rate and acceleration to the next ones: a polynomial of degree five.
+  static Interval Quintic(const CurveSample& from, const CurveSample& to, double duration);
   static Interval Eased(double v1, double v2, double duration, Interpolation kind, Easing easing);
   // Both lengths in (0, 1): shares of the duration. The value and the time are cubics of a
   // parameter [Bezier]; with lengths of a third it is Cubic.
@@ -30,6 +33,7 @@ class Interval {
                            double length2, double duration);
 
   CurveSample At(double seconds) const;
+  // Of degree three at most.
   bool is_polynomial() const { return std::holds_alternative<Polynomial>(way_); }
   // Of a polynomial: c[i] goes with the power i of the seconds.
   std::array<double, 4> coefficients() const { return std::get<Polynomial>(way_).c; }
@@ -41,6 +45,10 @@ class Interval {
   struct Polynomial {
     std::array<double, 4> c;
     bool operator==(const Polynomial&) const = default;
+  };
+  struct QuinticWay {
+    std::array<double, 6> c;
+    bool operator==(const QuinticWay&) const = default;
   };
   struct EasedWay {
     double v1, v2, duration;
@@ -56,7 +64,7 @@ class Interval {
     CurveSample At(double seconds) const;
     bool operator==(const WeightedWay&) const = default;
   };
-  std::variant<Polynomial, EasedWay, WeightedWay> way_;
+  std::variant<Polynomial, QuinticWay, EasedWay, WeightedWay> way_;
 };
 
 // Rate of an automatic tangent at (t, v) between its neighbours: the slope of the parabola through

@@ -11,6 +11,10 @@ enum class Interpolation {
   kLinear,
   kQuadratic,  // Arai 2.5 (1): from value and rate to the next value
   kCubic,      // Arai 2.5 (1), (3): from value and rate to the next value and rate
+  // Least integral of the squared acceleration or jerk through all keys of a run of such intervals
+  // (spline_run.h).
+  kLeastAcceleration,
+  kLeastJerk,
   // Eased: from value to value along a curve of its own (interval.h), whatever the rates.
   kSine,
   kQuintic,
@@ -20,6 +24,9 @@ enum class Interpolation {
   kElastic,
 };
 
+constexpr bool IsOfRun(Interpolation kind) {
+  return kind == Interpolation::kLeastAcceleration || kind == Interpolation::kLeastJerk;
+}
 constexpr bool IsEased(Interpolation kind) { return kind >= Interpolation::kSine; }
 
 // On which end of an eased interval its curve lies.
