@@ -38,6 +38,12 @@ std::optional<Error> CheckFreeOfRegions(int first, int last, const std::string& 
                            std::to_string(region.first_frame) + " to " +
                            std::to_string(region.last_frame) + "; " + instead);
   }
+  for (const ProjectFill& fill : project.fills) {
+    if (fill.first_frame >= last || fill.last_frame <= first) continue;
+    return Refusal("", "the fill \"" + fill.name + "\" makes keys in frames " +
+                           std::to_string(fill.first_frame) + " to " +
+                           std::to_string(fill.last_frame) + "; " + instead);
+  }
   return std::nullopt;
 }
 

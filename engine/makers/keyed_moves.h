@@ -18,7 +18,8 @@ std::optional<Error> CheckBody(const std::vector<std::string>& human_hinges,
                                const std::string& whose, const Figure& figure);
 // Returns the joint on which a figure stands on a side: its toe, foot or shin. Empty: none.
 std::string StandingJoint(const FigureBody& body, BodySide side, const Figure& figure);
-// Checks that no region moves joints in frames first to last. `instead`: advice. Errors: kSchema.
+// Checks that no region moves joints, and no fill makes keys, in frames first to last. `instead`:
+// advice. Errors: kSchema.
 std::optional<Error> CheckFreeOfRegions(int first, int last, const std::string& instead,
                                         const Project& project);
 

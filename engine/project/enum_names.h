@@ -16,6 +16,7 @@
 #include "engine/project/project_scene.h"
 #include "engine/timeline/constraint.h"
 #include "engine/timeline/dynamics_region.h"
+#include "engine/timeline/fill_span.h"
 #include "engine/timeline/keyframe.h"
 #include "engine/timeline/outer_force.h"
 #include "engine/timeline/placement_span.h"
@@ -53,16 +54,19 @@ struct EnumNames<Method> {
 template <>
 struct EnumNames<Interpolation> {
   static constexpr const char* kWhat = "interpolation";
-  static constexpr EnumName<Interpolation> kNames[] = {{Interpolation::kHold, "hold"},
-                                                       {Interpolation::kLinear, "linear"},
-                                                       {Interpolation::kQuadratic, "quadratic"},
-                                                       {Interpolation::kCubic, "cubic"},
-                                                       {Interpolation::kSine, "sine"},
-                                                       {Interpolation::kQuintic, "quintic"},
-                                                       {Interpolation::kExponential, "exponential"},
-                                                       {Interpolation::kBack, "back"},
-                                                       {Interpolation::kBounce, "bounce"},
-                                                       {Interpolation::kElastic, "elastic"}};
+  static constexpr EnumName<Interpolation> kNames[] = {
+      {Interpolation::kHold, "hold"},
+      {Interpolation::kLinear, "linear"},
+      {Interpolation::kQuadratic, "quadratic"},
+      {Interpolation::kCubic, "cubic"},
+      {Interpolation::kLeastAcceleration, "least_acceleration"},
+      {Interpolation::kLeastJerk, "least_jerk"},
+      {Interpolation::kSine, "sine"},
+      {Interpolation::kQuintic, "quintic"},
+      {Interpolation::kExponential, "exponential"},
+      {Interpolation::kBack, "back"},
+      {Interpolation::kBounce, "bounce"},
+      {Interpolation::kElastic, "elastic"}};
 };
 
 template <>
@@ -75,11 +79,24 @@ struct EnumNames<Easing> {
 template <>
 struct EnumNames<KeyType> {
   static constexpr const char* kWhat = "key type";
-  static constexpr EnumName<KeyType> kNames[] = {{KeyType::kKeyframe, "keyframe"},
-                                                 {KeyType::kBreakdown, "breakdown"},
-                                                 {KeyType::kExtreme, "extreme"},
-                                                 {KeyType::kJitter, "jitter"},
-                                                 {KeyType::kMovingHold, "moving_hold"}};
+  static constexpr EnumName<KeyType> kNames[] = {
+      {KeyType::kKeyframe, "keyframe"},      {KeyType::kBreakdown, "breakdown"},
+      {KeyType::kExtreme, "extreme"},        {KeyType::kJitter, "jitter"},
+      {KeyType::kMovingHold, "moving_hold"}, {KeyType::kGenerated, "generated"}};
+};
+
+template <>
+struct EnumNames<FillEnds> {
+  static constexpr const char* kWhat = "ends of a fill";
+  static constexpr EnumName<FillEnds> kNames[] = {{FillEnds::kRest, NameOf(FillEnds::kRest)},
+                                                  {FillEnds::kFree, NameOf(FillEnds::kFree)}};
+};
+
+template <>
+struct EnumNames<FillFrame> {
+  static constexpr const char* kWhat = "frame of a fill";
+  static constexpr EnumName<FillFrame> kNames[] = {{FillFrame::kWorld, NameOf(FillFrame::kWorld)},
+                                                   {FillFrame::kBody, NameOf(FillFrame::kBody)}};
 };
 
 template <>

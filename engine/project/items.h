@@ -102,9 +102,21 @@ struct ItemKind<ProjectConstraint> {
   static constexpr const char* kList = "constraints";
   static auto& In(auto& project) { return project.constraints; }
 };
+template <>
+struct ItemKind<ProjectFill> {
+  static constexpr const char* kTitle = "Fills";
+  static constexpr const char* kAdd = "fill.add";
+  static constexpr const char* kSet = "fill.set";
+  static constexpr const char* kRemove = "fill.remove";
+  static constexpr const char* kParameter = "fill";
+  static constexpr Thing kThing = Thing::kFill;
+  static constexpr const char* kList = "fills";
+  static auto& In(auto& project) { return project.fills; }
+};
 
-using ItemTypes = std::tuple<ProjectRegion, ProjectPlacement, ProjectHold, ProjectHeldObject,
-                             ProjectSceneObject, ProjectMarker, ProjectForce, ProjectConstraint>;
+using ItemTypes =
+    std::tuple<ProjectRegion, ProjectPlacement, ProjectHold, ProjectHeldObject, ProjectSceneObject,
+               ProjectMarker, ProjectForce, ProjectConstraint, ProjectFill>;
 
 // Calls action(kind, list of each project ...) for each kind; `kind` is an ItemKind<Item>. Without
 // projects: action(kind).

@@ -17,6 +17,7 @@
 #include "engine/project/project_figure.h"
 #include "engine/project/project_scene.h"
 #include "engine/timeline/animation.h"
+#include "engine/timeline/fill_span.h"
 
 namespace hazumi {
 
@@ -35,6 +36,7 @@ struct ProjectFrames {
 // What holds where the file states neither.
 inline constexpr double kDefaultStep = 1.0 / 30.0;  // [s]
 inline constexpr double kDefaultToleranceDeg = 0.01;
+inline constexpr double kDefaultFillToleranceDeg = 0.05;
 
 // Both numbers are kept whatever the method, so that trying the other one loses nothing.
 struct ProjectSolver {
@@ -193,6 +195,21 @@ struct ProjectConstraint {
   bool operator==(const ProjectConstraint&) const = default;
 };
 
+// Joints whose keys are filled in between: keys of the type generated, which the program writes
+// from those that the animator sets.
+struct ProjectFill {
+  std::string name;
+  int first_frame = 0, last_frame = 0;  // keys on both count
+  std::vector<JointRef> joints;         // or the root: its place, too
+  FillFrame relative_to = FillFrame::kWorld;
+  FillEnds ends = FillEnds::kRest;
+  double snap = 0.0;  // -1 lazy: swings through its keys; 1 snappy: slows down at them
+  double tolerance_deg = kDefaultFillToleranceDeg;  // of the keys written
+  ExtraFields extra;
+  Identity identity = {};
+  bool operator==(const ProjectFill&) const = default;
+};
+
 // A frame with a name, for people.
 struct ProjectMarker {
   int frame = 0;
@@ -242,6 +259,7 @@ struct Project {
   std::vector<ProjectSelectionSet> selection_sets;
   std::vector<ProjectForce> forces;
   std::vector<ProjectConstraint> constraints;
+  std::vector<ProjectFill> fills;  // in the order in which they are made
   ExtraFields extra;
   ReadReport read;
   bool operator==(const Project&) const = default;
@@ -253,10 +271,10 @@ template <typename AnyProject>
 auto PartsOfProject(AnyProject& project) {
   auto& [name, fps, frames, solver, figure, skin, size_is_guessed, source, scene, root, joints,
          regions, placements, holds, held_objects, camera, audio, reference, markers, preview,
-         selection_sets, forces, constraints, extra, read] = project;
+         selection_sets, forces, constraints, fills, extra, read] = project;
   return std::tie(joints, name, fps, frames, solver, figure, skin, size_is_guessed, source, scene,
                   root.extra, regions, placements, holds, held_objects, camera, audio, reference,
-                  markers, preview, selection_sets, forces, constraints, extra);
+                  markers, preview, selection_sets, forces, constraints, fills, extra);
 }
 
 }  // namespace hazumi

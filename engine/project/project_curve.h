@@ -9,7 +9,14 @@
 namespace hazumi {
 
 // What a key is to the animator; it moves nothing.
-enum class KeyType { kKeyframe, kBreakdown, kExtreme, kJitter, kMovingHold };
+enum class KeyType {
+  kKeyframe,
+  kBreakdown,
+  kExtreme,
+  kJitter,
+  kMovingHold,
+  kGenerated,  // written by a fill, which makes it anew when the animator's keys change
+};
 
 // Values are degrees for angles and metres for root positions; rates are per second.
 struct ProjectKey {

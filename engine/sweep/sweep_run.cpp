@@ -5,6 +5,7 @@
 
 #include "engine/bake/bake.h"
 #include "engine/base/text.h"
+#include "engine/makers/fills/fills.h"
 #include "engine/project/compile.h"
 #include "engine/project/figure_file.h"
 #include "engine/project/project_reader.h"
@@ -74,6 +75,11 @@ Result<SweptCell> Sweep::Compute(long cell, const std::atomic<bool>* cancel) con
   Project project = project_;
   const Result<Done> applied = ApplyCell(plan_, cell, &project);
   if (!applied.ok()) return applied.error();
+  if (!project.fills.empty()) {
+    Result<makers::MadeFills> filled = makers::MakeFills(project, figure_, cancel);
+    if (!filled.ok()) return filled.error();
+    project = std::move(filled.value().project);
+  }
   Result<Compiled> compiled = CompileAnimation(project, cancel, figure_);
   if (!compiled.ok()) return compiled.error();
   BakeOptions options;

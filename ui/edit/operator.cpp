@@ -13,6 +13,7 @@ std::vector<Operator> ExportOperators();
 std::vector<Operator> FieldOperators();
 std::vector<Operator> FigureOperators();
 std::vector<Operator> FlightOperators();
+std::vector<Operator> FillOperators();
 std::vector<Operator> ForceOperators();
 std::vector<Operator> HeldObjectOperators();
 std::vector<Operator> HolderOperators();
@@ -44,14 +45,14 @@ namespace {
 std::vector<Operator> Collect() {
   std::vector<Operator> all;
   for (const auto& operators :
-       {&ConstraintOperators,  &DriveOperators,        &ExportOperators,     &FieldOperators,
-        &FigureOperators,      &FlightOperators,       &ForceOperators,      &HeldObjectOperators,
-        &HolderOperators,      &ImportOperators,       &JointStateOperators, &JumpOperators,
-        &KeyOperators,         &KeySelectionOperators, &MediaOperators,      &ObjectOperators,
-        &PlacementOperators,   &PoseOperators,         &PoseBlendOperators,  &ReachOperators,
-        &RegionOperators,      &RegionJointOperators,  &RootOperators,       &SceneOperators,
-        &SelectedKeyOperators, &SelectionSetOperators, &SessionOperators,    &StartRateOperators,
-        &SwivelOperators,      &ThrowOperators,        &TimeOperators}) {
+       {&ConstraintOperators, &DriveOperators,       &ExportOperators,       &FieldOperators,
+        &FigureOperators,     &FlightOperators,      &FillOperators,         &ForceOperators,
+        &HeldObjectOperators, &HolderOperators,      &ImportOperators,       &JointStateOperators,
+        &JumpOperators,       &KeyOperators,         &KeySelectionOperators, &MediaOperators,
+        &ObjectOperators,     &PlacementOperators,   &PoseOperators,         &PoseBlendOperators,
+        &ReachOperators,      &RegionOperators,      &RegionJointOperators,  &RootOperators,
+        &SceneOperators,      &SelectedKeyOperators, &SelectionSetOperators, &SessionOperators,
+        &StartRateOperators,  &SwivelOperators,      &ThrowOperators,        &TimeOperators}) {
     const std::vector<Operator> of_file = operators();
     all.insert(all.end(), of_file.begin(), of_file.end());
   }

@@ -72,6 +72,11 @@ constexpr CheckText kTexts[] = {
     {Check::kRegionEmpty, kSchema, "a region needs at least one joint"},
     {Check::kDriveEmpty, kSchema, "a drive needs at least one joint"},
     {Check::kSetEmpty, kSchema, "a selection set needs at least one joint"},
+    {Check::kFillEmpty, kSchema, "a fill needs at least one joint"},
+    {Check::kFillsOverlap, kSchema,
+     "{} fills {} in frames {} to {}, too; end one where the other begins, or take the joint out "
+     "of "
+     "one"},
     {Check::kNameTwice, kSchema, "the name {} is already used by {}; choose another"},
     {Check::kNoView, kSchema, "eye_m and target_m are the same point; move one of them"},
     {Check::kReleaseByNobody, kSchema,

@@ -64,6 +64,8 @@ enum class Check {
   kRegionEmpty,
   kDriveEmpty,
   kSetEmpty,
+  kFillEmpty,
+  kFillsOverlap,
   kNameTwice,
   kNoView,
   kReleaseByNobody,

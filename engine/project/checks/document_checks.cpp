@@ -121,6 +121,10 @@ void CheckSet(const ProjectSelectionSet& set, const Site& site) {
   if (set.joints.empty()) site.Field("joints").Report(Check::kSetEmpty);
 }
 
+void CheckFill(const ProjectFill& fill, const Site& site) {
+  if (fill.joints.empty()) site.Field("joints").Report(Check::kFillEmpty);
+}
+
 void CheckCamera(const ProjectCamera& camera, const Site& site) {
   if ((camera.eye_m - camera.target_m).norm() < 1e-9) site.Report(Check::kNoView);
 }
@@ -170,6 +174,7 @@ void CheckDocument(const Project& project, FirstError* errors) {
   CheckCurves(project, site);
   CheckNamesUnique(project.selection_sets, site.Field("selection_sets"));
   ForEach(project.selection_sets, site.Field("selection_sets"), CheckSet);
+  ForEach(project.fills, site.Field("fills"), CheckFill);
   CheckItems(project, site);
   ForEach(project.regions, site.Field("regions"),
           [&](const ProjectRegion& region, const Site& place) {

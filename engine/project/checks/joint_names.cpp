@@ -8,6 +8,7 @@
 
 #include "engine/project/checks/constraint_checks.h"
 #include "engine/project/checks/document_checks.h"
+#include "engine/project/checks/spans.h"
 #include "engine/project/fields/project_fields.h"
 #include "engine/project/items.h"
 #include "engine/project/json/did_you_mean.h"
@@ -65,10 +66,45 @@ void CheckRegionNames(const ProjectRegion& region, Method method, const Figure& 
   CheckDriveNames(region, figure, site);
 }
 
-void CheckSetNames(const ProjectSelectionSet& set, const Figure& figure, const Site& site) {
-  for (size_t i = 0; i < set.joints.size(); ++i) {
-    const std::string name = Meant(set.joints[i], figure).name;
+// Names of a list in which the root may be.
+void CheckJointsOf(const std::vector<JointRef>& joints, const Figure& figure, const Site& site) {
+  for (size_t i = 0; i < joints.size(); ++i) {
+    const std::string name = Meant(joints[i], figure).name;
     if (!MeansRoot(name, figure)) ExpectJoint(name, figure, site.Field("joints").Item(i));
+  }
+}
+
+// Hinges of all joints of which one is given.
+std::vector<bool> WholeJoints(std::vector<bool> hinges, const Figure& figure) {
+  for (const JointGroup& group : figure.groups()) {
+    const auto begin = hinges.begin() + group.first.value(), end = begin + group.size;
+    if (std::find(begin, end, true) != end) std::fill(begin, end, true);
+  }
+  return hinges;
+}
+
+// Reports joints that are filled twice in the same frames.
+void CheckFills(const std::vector<ProjectFill>& fills, const Figure& figure, const Site& site) {
+  for (size_t i = 0; i < fills.size(); ++i) {
+    CheckJointsOf(fills[i].joints, figure, site.Item(i));
+    if (!site.errors->ok()) return;
+    const std::vector<bool> joints = WholeJoints(JointsOf(fills[i].joints, figure), figure);
+    for (size_t k = 0; k < i; ++k) {
+      const Span both = Common(SpanOf(fills[i]), SpanOf(fills[k]));
+      if (both.is_empty()) continue;
+      const std::vector<bool> others = WholeJoints(JointsOf(fills[k].joints, figure), figure);
+      std::string twice;
+      if (NameRoot(fills[i].joints, figure) && NameRoot(fills[k].joints, figure)) {
+        twice = figure.root_name();
+      }
+      for (size_t j = 0; j < joints.size() && twice.empty(); ++j) {
+        if (joints[j] && others[j]) twice = figure.group(figure.joints()[j].group).name;
+      }
+      if (twice.empty()) continue;
+      site.Item(i).Report(Check::kFillsOverlap,
+                          {Quoted(fills[k].name), Quoted(twice), std::to_string(both.first),
+                           std::to_string(both.last)});
+    }
   }
 }
 
@@ -224,7 +260,9 @@ void CheckNames(const Project& project, const Figure& figure, FirstError* errors
   }
   ForEachItemList(
       [&]<typename Item>(ItemKind<Item> kind, const std::vector<Item>& items) {
-        if constexpr (std::is_same_v<Item, ProjectRegion>) return;
+        if constexpr (std::is_same_v<Item, ProjectRegion> || std::is_same_v<Item, ProjectFill>) {
+          return;
+        }
         for (size_t i = 0; i < items.size(); ++i) {
           JointFields::CheckJointFields(items[i], figure, site.Field(kind.kList).Item(i));
         }
@@ -232,8 +270,9 @@ void CheckNames(const Project& project, const Figure& figure, FirstError* errors
       project);
   CheckConstraintNames(project, site.Field("constraints"));
   for (size_t i = 0; i < project.selection_sets.size(); ++i) {
-    CheckSetNames(project.selection_sets[i], figure, site.Field("selection_sets").Item(i));
+    CheckJointsOf(project.selection_sets[i].joints, figure, site.Field("selection_sets").Item(i));
   }
+  CheckFills(project.fills, figure, site.Field("fills"));
 }
 
 }  // namespace hazumi

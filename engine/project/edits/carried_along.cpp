@@ -70,7 +70,8 @@ class KeyCarrier {
  private:
   bool IsLeftBehind(const std::string& name, const ProjectCurve& curve) const {
     return std::any_of(curve.keys.begin(), curve.keys.end(), [&](const ProjectKey& key) {
-      return key.frame >= first_ && key.frame <= last_ && !Contains(selected_, name, key.frame);
+      return key.type != KeyType::kGenerated && key.frame >= first_ && key.frame <= last_ &&
+             !Contains(selected_, name, key.frame);
     });
   }
 
@@ -80,12 +81,25 @@ class KeyCarrier {
   std::set<std::string> left_behind_;  // curves with other keys in between
 };
 
-std::vector<std::string> CurvesOf(const ProjectRegion& region, const Figure& figure) {
+std::vector<std::string> HingesOf(const std::vector<JointRef>& joints, const Figure& figure) {
   std::vector<std::string> names;
-  const std::vector<bool> moved = JointsOf(region, figure);
+  const std::vector<bool> moved = JointsOf(joints, figure);
   for (size_t j = 0; j < moved.size(); ++j) {
     if (moved[j]) names.push_back(figure.joints()[j].name);
   }
+  return names;
+}
+
+std::vector<std::string> CurvesOf(const ProjectFill& fill, const Figure& figure) {
+  std::vector<std::string> names = HingesOf(fill.joints, figure);
+  if (NameRoot(fill.joints, figure)) {
+    names.insert(names.end(), std::begin(kRootCurveNames), std::end(kRootCurveNames));
+  }
+  return names;
+}
+
+std::vector<std::string> CurvesOf(const ProjectRegion& region, const Figure& figure) {
+  std::vector<std::string> names = HingesOf(region.joints, figure);
   if (!DrivesRoot(region, figure)) return names;
   for (const char* angle : {"root.angle_z", "root.angle_y", "root.angle_x"}) names.push_back(angle);
   return names;
@@ -107,6 +121,9 @@ void CarryAlong(const KeySelection& selected, const Figure& figure, const FrameM
         carrier.CarryKeys(curve);
       }
     }
+  }
+  for (ProjectFill& fill : project->fills) {
+    if (!carrier.has_all() && carrier.HasAllOf(CurvesOf(fill, figure))) carrier.CarrySpan(&fill);
   }
   if (!carrier.has_all()) return;
   ForEachItemList(

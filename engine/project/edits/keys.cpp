@@ -30,6 +30,17 @@ const ProjectKey* KeyOn(double frame, const ProjectCurve& curve) {
   return key != curve.keys.end() && key->frame == frame ? &*key : nullptr;
 }
 
+ProjectKey KeyToChange(double frame, const ProjectCurve& curve) {
+  const ProjectKey* there = KeyOn(frame, curve);
+  ProjectKey key = there ? *there : ProjectKey();
+  key.frame = frame;
+  if (key.type == KeyType::kGenerated) {
+    key.type = KeyType::kKeyframe;
+    SetAutomatic(&key);
+  }
+  return key;
+}
+
 void PutKey(const ProjectKey& key, ProjectCurve* curve) {
   if (ProjectKey* there = KeyOn(key.frame, curve)) {
     ExtraFields extra = std::move(there->extra);

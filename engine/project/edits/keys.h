@@ -13,6 +13,9 @@ inline double WithoutRoundOff(double degrees) { return std::round(degrees * 1e9)
 // Returns the key on a frame, or null.
 ProjectKey* KeyOn(double frame, ProjectCurve* curve);
 const ProjectKey* KeyOn(double frame, const ProjectCurve& curve);
+// Key on a frame, to be changed and put back, or a new one. A generated key is given to the
+// animator: its tangents are automatic.
+ProjectKey KeyToChange(double frame, const ProjectCurve& curve);
 // Inserts a key. Replaces the key on the same frame, but for its fields that the program does not
 // know.
 void PutKey(const ProjectKey& key, ProjectCurve* curve);

@@ -65,12 +65,14 @@ void DescribeKey(Ar& ar, Ref<Ar, ProjectKey> key, const KeyFields& fields) {
   ar.Required({.name = "frame", .details = "May lie between frames."}, key.frame);
   ar.Required(fields.value, key.value);
   ar.Optional(fields.rate, key.rate);
-  ar.Optional({.name = "interpolation",
-               .label = "Interpolation",
-               .help = "from this key to the next one",
-               .details = "From sine on the value is eased along a curve of that kind, whatever "
-                          "the rates."},
-              key.interpolation, Interpolation::kCubic);
+  ar.Optional(
+      {.name = "interpolation",
+       .label = "Interpolation",
+       .help = "from this key to the next one",
+       .details = "Least acceleration and least jerk: smooth through all keys of a run of such "
+                  "intervals, by the least integral of the square. From sine on the value is "
+                  "eased along a curve of that kind, whatever the rates."},
+      key.interpolation, Interpolation::kCubic);
   ar.Optional({.name = "easing",
                .label = "Easing",
                .help = "on which end of an eased interval its curve lies"},

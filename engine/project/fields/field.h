@@ -41,6 +41,7 @@ enum class Thing {
   kForce,
   kSceneOrHeldObject,
   kConstraint,
+  kFill,
   kHolder,  // of an object; no parameter names it
   kColor,   // "#rrggbb"
 };
@@ -63,6 +64,7 @@ constexpr const char* Describe(Thing thing) {
                                      "names a force",
                                      "names an object, of the scene or held",
                                      "names a constraint",
+                                     "names a fill",
                                      "",
                                      "a colour"};
   static_assert(sizeof kThings / sizeof *kThings == static_cast<size_t>(Thing::kColor) + 1);

@@ -17,6 +17,7 @@
 #include "engine/project/enum_names.h"
 #include "engine/project/fields/constraint_fields.h"
 #include "engine/project/fields/field.h"
+#include "engine/project/fields/fill_fields.h"
 #include "engine/project/fields/force_fields.h"
 #include "engine/project/fields/region_fields.h"
 #include "engine/project/fields/scene_fields.h"
@@ -30,7 +31,8 @@ inline constexpr int kNewestFormat = 2;
 
 // Moves otherwise than any key of version 1 can.
 inline bool IsNew(const ProjectKey& key) {
-  return IsEased(key.interpolation) || key.rate_in || key.length_in || key.length_out;
+  return IsEased(key.interpolation) || IsOfRun(key.interpolation) || key.rate_in || key.length_in ||
+         key.length_out;
 }
 template <typename Curves>
 bool HasNewKeys(const Curves& curves) {
@@ -275,6 +277,11 @@ void Describe(Ar& ar, Ref<Ar, Project> project) {
   ar.Optional(
       {.name = "constraints", .details = "What keeps things together while dynamics moves them."},
       project.constraints);
+  ar.Optional(
+      {.name = "fills",
+       .details = "What is filled in between keys, in the order in which it is made: a limb "
+                  "after what carries it."},
+      project.fills);
 }
 
 }  // namespace hazumi

@@ -77,6 +77,7 @@ TEST(ItemFields, AreSetAndReadBack) {
   ExpectAllAreSet(ProjectMarker(), "marker");
   ExpectAllKindsAreSet<ProjectForce>("force");
   ExpectAllKindsAreSet<ProjectConstraint>("constraint");
+  ExpectAllAreSet(ProjectFill(), "fill");
   ExpectAllAreSet(ProjectSolver(), "solver");
   ExpectAllAreSet(ProjectCamera(), "camera");
   ExpectAllAreSet(ProjectAudio(), "audio");
@@ -133,6 +134,7 @@ TEST(ItemFields, AreParametersOfTheirOperators) {
   expect(edit::FieldsOf<ProjectMarker>(), {"marker.add"});
   expect(edit::FieldsOf<ProjectForce>(), {"force.add", "force.set"});
   expect(edit::FieldsOf<ProjectConstraint>(), {"constraint.add", "constraint.set"});
+  expect(edit::FieldsOf<ProjectFill>(), {"fill.add", "fill.set"});
   expect(edit::FieldsOf<ProjectSolver>(), {"solver.set"});
   expect(edit::FieldsOf(ProjectHeldObject()), {"held.add_ball", "held.set"});
   expect(edit::FieldsOf<ProjectCamera>(), {"camera.set"});

@@ -119,7 +119,10 @@ constexpr const char* kSample = R"({
   "markers": [{"frame": 9, "name": "throw"}, {"frame": -3, "name": "before"}],
   "preview": {"first": 5, "last": 15},
   "selection_sets": [{"name": "arm", "joints": ["r_elbow", {"beyond": "l_shoulder"}]},
-                     {"name": "root", "joints": ["pelvis"]}]
+                     {"name": "root", "joints": ["pelvis"]}],
+  "fills": [{"name": "arm", "first_frame": 0, "last_frame": 10, "joints": ["r_elbow"],
+             "relative_to": "body", "ends": "free", "snap": -0.5, "tolerance_deg": 0.2},
+            {"name": "legs", "first_frame": 2, "last_frame": 8, "joints": [{"beyond": "l_hip"}, "pelvis"]}]
 })";
 
 }  // namespace

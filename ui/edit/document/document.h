@@ -121,6 +121,7 @@ class Transaction {
   Transaction& operator=(const Transaction&) = delete;
 
   Project& project() { return document_->state_.project; }
+  const Project& before() const { return before_.project; }
   // Steps in a row with the same `merge`, if not empty, become one: a drag. Nothing changed: no
   // step.
   void Commit(const std::string& label, const std::string& merge = "") {

@@ -124,9 +124,7 @@ Result<Done> PutKeyOf(const DriveCurve& what, const Parameters& p, double frame,
                                        ", which has none over time");
   }
   ProjectCurve* curve = &(drive->*what.curve);
-  const ProjectKey* there = KeyOn(frame, *curve);
-  ProjectKey key = there ? *there : ProjectKey();
-  key.frame = frame;
+  ProjectKey key = KeyToChange(frame, *curve);
   key.value = p.number(what.parameter);
   if (Result<Done> set = SetFields(p, &key); !set.ok()) return set;
   PutKey(key, curve);

@@ -4,6 +4,7 @@
 
 #include "engine/exchange/import/changed_role.h"
 #include "engine/figure/figure_bone.h"
+#include "engine/makers/fills/fills.h"
 #include "engine/project/enum_names.h"
 #include "engine/project/figure_editor.h"
 #include "ui/edit/fields/item_fields.h"
@@ -77,8 +78,11 @@ Result<Done> SetRole(Session* session, const Parameters& p) {
     if (p.text("side") == side.name) place.side = side.value;
   }
   const auto selected = SelectedByJoint(*session);
-  Result<Done> done = session->Edit(
-      "Change role", [&](Project* project) { return ChangeRole(p.text("joint"), place, project); });
+  Result<Done> done = session->Edit("Change role", [&](Project* project) {
+    // Fills make their keys anew, for the new hinges.
+    if (!project->fills.empty()) makers::RemoveGeneratedKeys(project);
+    return ChangeRole(p.text("joint"), place, project);
+  });
   if (done.ok()) SelectAgain(selected, session);
   return done;
 }

@@ -50,13 +50,28 @@ Result<Done> Session::Edit(const std::string& label,
   Transaction transaction(document_.get());
   Result<Done> done = change(&transaction.project());
   if (!done.ok()) return done;
+  Result<std::vector<makers::FillReport>> filled =
+      Refill(transaction.before(), merge, &transaction.project());
+  // Who changes the fills is told; other edits leave them as they are until they can be made.
+  const bool changes_fills = transaction.before().fills != transaction.project().fills;
+  if (!filled.ok() && changes_fills && could_be_animated) return filled.error();
   Result<Compiled> compiled = CompileProject(transaction.project());
   if (!compiled.ok() && (could_be_animated || compiled.error().code == ErrorCode::kSchema)) {
     return compiled.error();
   }
   transaction.Commit(label, merge);
   Take(std::move(compiled));
+  fill_error_ = filled.ok() ? std::nullopt : std::optional(filled.error());
+  fill_reports_ = filled.ok() ? std::move(filled).value() : std::vector<makers::FillReport>();
   return done;
+}
+
+Result<std::vector<makers::FillReport>> Session::Refill(const Project& before,
+                                                        const std::string& merge, Project* after) {
+  const Document::State* start = document_->drag_start(merge);
+  const bool has_same_figure = after->figure == figure_source_;
+  return RenewFills({before, start ? &start->project : nullptr, fill_error_.has_value()},
+                    has_same_figure ? figure_ : nullptr, after);
 }
 
 std::shared_ptr<const SessionObserver> Session::Observe(SessionObserver observer) {

@@ -12,6 +12,7 @@
 #include "ui/edit/media_files.h"
 #include "ui/edit/operator.h"
 #include "ui/edit/session/background_bake.h"
+#include "ui/edit/session/renew_fills.h"
 
 namespace hazumi::edit {
 
@@ -78,6 +79,11 @@ class Session {
   const Pose& clipboard() const { return clipboard_; }
   void set_clipboard(Pose pose) { clipboard_ = std::move(pose); }
 
+  // What the latest edit made of the fills; empty: it left them alone.
+  const std::vector<makers::FillReport>& fill_reports() const { return fill_reports_; }
+  // Why their keys are older than the latest edit; none: they are not.
+  const std::optional<Error>& fill_error() const { return fill_error_; }
+
   // Files are saved only if they can be read back and animated (see check_saved.h): for whoever is
   // not there to look.
   bool saves_checked() const { return saves_checked_; }
@@ -120,6 +126,8 @@ class Session {
   Result<double> ValueNow(const std::string& curve);
 
  private:
+  Result<std::vector<makers::FillReport>> Refill(const Project& before, const std::string& merge,
+                                                 Project* after);
   Result<Done> RunUnobserved(const std::string& id, const Json& parameters);
   void Tell(const std::function<void(const SessionObserver&)>& what) const;
   void Compile();
@@ -136,6 +144,8 @@ class Session {
   std::vector<std::weak_ptr<const SessionObserver>> observers_;
   bool is_running_ = false;  // an operator
   Outcome outcome_;
+  std::vector<makers::FillReport> fill_reports_;
+  std::optional<Error> fill_error_;
   bool saves_checked_ = false;
   MediaAccess media_;
   long document_number_ = 0;

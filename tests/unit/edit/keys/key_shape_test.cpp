@@ -95,9 +95,9 @@ TEST(KeyShape, TypesMoveNothingAndAreKept) {
   EXPECT_EQ(Angles(&session, "r_knee"), before);
   Do(&session, "keys.move", {{"frames", 1}});
   EXPECT_EQ(KeysOf(session, "r_knee")[1].type, KeyType::kBreakdown);
-  EXPECT_EQ(
-      Refused(&session, "keys.type", {{"type", "pose"}}).ToString(),
-      "keys.type.type: \"pose\" is none of keyframe, breakdown, extreme, jitter, moving_hold");
+  EXPECT_EQ(Refused(&session, "keys.type", {{"type", "pose"}}).ToString(),
+            "keys.type.type: \"pose\" is none of keyframe, breakdown, extreme, jitter, "
+            "moving_hold, generated");
 }
 
 // A region inside the stretch of an eased curve that carries it begins as fast as that is.

@@ -181,9 +181,10 @@ TEST(SelectedKeys, SayWhatIsWrong) {
   EXPECT_EQ(Refused(&session, "keys.handles", {{"kind", "round"}}).ToString(),
             "keys.handles.kind: \"round\" is none of auto, flat, aligned, broken, free_length, "
             "fixed_length");
-  EXPECT_EQ(Refused(&session, "keys.interpolation", {{"interpolation", "cubik"}}).ToString(),
-            "keys.interpolation.interpolation: \"cubik\" is none of hold, linear, quadratic, "
-            "cubic, sine, quintic, exponential, back, bounce, elastic");
+  EXPECT_EQ(
+      Refused(&session, "keys.interpolation", {{"interpolation", "cubik"}}).ToString(),
+      "keys.interpolation.interpolation: \"cubik\" is none of hold, linear, quadratic, "
+      "cubic, least_acceleration, least_jerk, sine, quintic, exponential, back, bounce, elastic");
   EXPECT_EQ(Refused(&session, "keys.paste", Json::object()).ToString(),
             "keys.paste: no key has been copied");
   SelectKeys(&session, "r_knee", {});

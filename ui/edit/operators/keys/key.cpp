@@ -40,9 +40,7 @@ Result<Done> SetKey(Session* session, const Parameters& p) {
       [&](Project* project) -> Result<Done> {
         const Result<ProjectCurve*> curve = CurveNamed(p.text("curve"), session->figure(), project);
         if (!curve.ok()) return curve.error();
-        const ProjectKey* there = KeyOn(p.number("frame"), curve.value());
-        ProjectKey key = there ? *there : ProjectKey();
-        key.frame = p.number("frame");
+        ProjectKey key = KeyToChange(p.number("frame"), *curve.value());
         if (Result<Done> set = SetFields(p, &key); !set.ok()) return set;
         if (p.yes("auto_rate")) SetAutomatic(&key);
         PutKey(key, curve.value());
@@ -143,6 +141,7 @@ Result<Done> RetimeKeys(Session* session, const Parameters& p) {
           if (!curve.ok()) return curve.error();
           std::vector<ProjectKey> moved;
           std::erase_if(curve.value()->keys, [&](const ProjectKey& key) {
+            if (key.type == KeyType::kGenerated) return true;  // made anew
             if (key.frame < first || key.frame > last) return false;
             moved.push_back(key);
             return true;
@@ -178,9 +177,7 @@ Result<Done> InsertKeys(Session* session, const Parameters& p) {
     for (const auto& [name, value] : values) {
       const Result<ProjectCurve*> curve = CurveNamed(name, session->figure(), project);
       if (!curve.ok()) return curve.error();
-      const ProjectKey* there = KeyOn(session->frame(), curve.value());
-      ProjectKey key = there ? *there : ProjectKey();
-      key.frame = session->frame();
+      ProjectKey key = KeyToChange(session->frame(), *curve.value());
       key.value = value;
       PutKey(key, curve.value());
     }

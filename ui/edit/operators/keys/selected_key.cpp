@@ -42,6 +42,19 @@ void TakeFramesOf(const Project& start, Project* project) {
   ForEachItemList([](auto, auto& now, const auto& before) { now = before; }, *project, start);
 }
 
+// Removes generated keys where keys of the animator are moved in time: they are made anew.
+void DropGenerated(ProjectCurve* curve, std::set<double>* selected) {
+  const auto is_generated = [](const ProjectKey& key) { return key.type == KeyType::kGenerated; };
+  const bool moves = std::any_of(curve->keys.begin(), curve->keys.end(), [&](const auto& key) {
+    return selected->contains(key.frame) && !is_generated(key);
+  });
+  if (!moves) return;
+  for (const ProjectKey& key : curve->keys) {
+    if (is_generated(key)) selected->erase(key.frame);
+  }
+  std::erase_if(curve->keys, is_generated);
+}
+
 // `edit(curve)` for each curve with selected keys, as they were when the drag began. `id`: the
 // operator's. `to`: where frames go, if they go anywhere.
 template <typename EditCurve>
@@ -58,9 +71,10 @@ Result<Done> EditSelected(Session* session, const std::string& id, const std::st
         }
         if (selected.empty()) return Refusal("", "no key is selected");
         if (to) CarryAlong(selected, session->figure(), to, project);
-        for (const auto& [name, frames] : selected) {
+        for (auto& [name, frames] : selected) {
           const Result<ProjectCurve*> curve = CurveNamed(name, session->figure(), project);
           if (!curve.ok()) return curve.error();
+          if (to) DropGenerated(curve.value(), &frames);
           Result<Done> done = edit(SelectedCurve{name, frames, curve.value(), &after[name]});
           if (!done.ok()) return done;
         }

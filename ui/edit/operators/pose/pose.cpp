@@ -13,9 +13,7 @@ namespace {
 using enum ParameterKind;
 
 void KeyAngle(double frame, double angle, ProjectCurve* curve) {
-  const ProjectKey* there = KeyOn(frame, curve);
-  ProjectKey key = there ? *there : ProjectKey();
-  key.frame = frame;
+  ProjectKey key = KeyToChange(frame, *curve);
   key.value = angle;
   PutKey(key, curve);
 }
