@@ -192,7 +192,9 @@ MenuEntry KeyMenu() {
                          submenu("Interpolation", InterpolationChoices()),
                          submenu("Handles", HandleChoices()),
                          submenu("Key type", KeyTypeChoices()),
-                         {"key.rate"}});
+                         {"key.rate"},
+                         Line(),
+                         {"fill.add"}});
 }
 
 MenuEntry RegionMenu() {

@@ -212,6 +212,17 @@ class ConstraintBars : public ListBars<ProjectConstraint> {
   }
 };
 
+class FillBars : public ListBars<ProjectFill> {
+ public:
+  FillBars()
+      : ListBars({"Move fill", "Stretch fill", "Fill", "fill.remove"}, colors::kGenerated, true) {}
+
+  std::string Details(const Project&, int) const override {
+    return Tr("Filled in between your keys; made anew when they change.");
+  }
+  BarRows Rows(const Project&, int) const override { return {}; }
+};
+
 }  // namespace
 
 const std::vector<const BarType*>& AllBarTypes() {
@@ -220,8 +231,9 @@ const std::vector<const BarType*>& AllBarTypes() {
   static const RegionBars regions;
   static const HoldBars holds;
   static const ConstraintBars constraints;
-  static const std::vector<const BarType*> all = {&placements, &holders, &regions, &holds,
-                                                  &constraints};
+  static const FillBars fills;
+  static const std::vector<const BarType*> all = {&placements, &holders,     &regions,
+                                                  &holds,      &constraints, &fills};
   return all;
 }
 

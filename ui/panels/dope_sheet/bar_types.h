@@ -9,7 +9,8 @@
 
 namespace hazumi::ui {
 
-// Rows of the dope sheet on which a bar is shown. Rows of a region follow from its hinges instead.
+// Rows of the dope sheet on which a bar is shown. Rows of regions and fills
+// follow from their hinges instead.
 struct BarRows {
   bool of_placement = false;         // that of what places the figure
   std::vector<std::string> joints;   // those of these joints, or of the root

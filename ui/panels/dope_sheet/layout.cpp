@@ -35,6 +35,8 @@ class BarList {
       held_.push_back(JointsOf(region, figure_));
       drives_.push_back(DrivesByJoint(region, figure_));
     }
+    for (const ProjectFill& fill : project_.fills)
+      filled_.push_back(JointsOf(fill.joints, figure_));
     for (const BarType* type : AllBarTypes()) {
       for (int i = 0; i < type->Num(project_); ++i) {
         entries_.push_back({{type->kind, i}, type->Rows(project_, i)});
@@ -48,6 +50,8 @@ class BarList {
     for (const Entry& entry : entries_) {
       if (entry.bar.kind == BarKind::kRegion) {
         AddRegion(row, entry.bar.index, &bars);
+      } else if (entry.bar.kind == BarKind::kFill) {
+        if (IsFilled(row, static_cast<size_t>(entry.bar.index))) bars.push_back({0, entry.bar});
       } else if (IsOn(entry.rows, row)) {
         bars.push_back({0, entry.bar});
       }
@@ -74,6 +78,12 @@ class BarList {
     if (bar.num_held > 0 || turns_root) bars->push_back(bar);
   }
 
+  bool IsFilled(const SheetRow& row, size_t fill) const {
+    if (row.kind == RowKind::kRoot) return NameRoot(project_.fills[fill].joints, figure_);
+    return std::any_of(row.hinges.begin(), row.hinges.end(),
+                       [&](JointIndex j) { return filled_[fill][static_cast<size_t>(j.value())]; });
+  }
+
   // A joint is held as a whole: its hinges' rows show nothing of it.
   bool IsOn(const std::string& held, const SheetRow& row) const {
     if (row.kind != RowKind::kLimb && row.kind != RowKind::kJoint) return false;
@@ -97,8 +107,9 @@ class BarList {
 
   const Figure& figure_;
   const Project& project_;
-  std::vector<std::vector<bool>> held_;   // by region and joint
-  std::vector<std::vector<int>> drives_;  // likewise, -1 where it is limp
+  std::vector<std::vector<bool>> held_;    // by region and joint
+  std::vector<std::vector<int>> drives_;   // likewise, -1 where it is limp
+  std::vector<std::vector<bool>> filled_;  // by fill and joint
   struct Entry {
     BarRef bar;
     BarRows rows;

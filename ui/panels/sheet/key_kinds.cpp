@@ -14,6 +14,8 @@ const std::vector<KeyChoice>& InterpolationChoices() {
       kind("linear", "Linear"),
       kind("quadratic", "Quadratic"),
       kind("cubic", "Cubic"),
+      kind("least_acceleration", "Least acceleration"),
+      kind("least_jerk", "Least jerk"),
       kind("sine", "Sine", true),
       kind("quintic", "Quintic"),
       kind("exponential", "Exponential"),

@@ -23,6 +23,10 @@ void Shape(ImDrawList* list, ImVec2 c, float r, std::optional<Interpolation> kin
     case Interpolation::kHold:
       return list->AddRectFilled({c.x - 0.85f * r, c.y - 0.85f * r},
                                  {c.x + 0.85f * r, c.y + 0.85f * r}, color);
+    case Interpolation::kLeastAcceleration:
+    case Interpolation::kLeastJerk:
+      Diamond(list, c, 1.15f * r, color);
+      return list->AddCircleFilled(c, 0.8f * r, color, 16);
     case Interpolation::kQuadratic:
       return list->AddTriangleFilled({c.x, c.y - 1.1f * r}, {c.x + 1.05f * r, c.y + 0.8f * r},
                                      {c.x - 1.05f * r, c.y + 0.8f * r}, color);
@@ -41,6 +45,8 @@ SrgbColor ColorOf(KeyType type) {
       return colors::kJitter;
     case KeyType::kMovingHold:
       return colors::kMovingHold;
+    case KeyType::kGenerated:
+      return colors::kGenerated;
     case KeyType::kKeyframe:
       break;
   }
@@ -51,6 +57,7 @@ SrgbColor ColorOf(KeyType type) {
 
 void DrawKey(ImDrawList* list, Point at, float radius, const KeyLook& look) {
   const ImVec2 c = ToIm(at);
+  if (look.type == KeyType::kGenerated) radius *= 0.6f;
   Shape(list, c, radius + 1.2f, look.kind, kOutline);
   Shape(list, c, radius, look.kind,
         ToIm(look.is_selected ? colors::kSelected : ColorOf(look.type)));

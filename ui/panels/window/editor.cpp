@@ -6,6 +6,7 @@
 
 #include "engine/base/filled.h"
 #include "engine/base/input_files.h"
+#include "engine/base/named.h"
 #include "engine/base/text.h"
 #include "engine/project/checks/joint_names.h"
 #include "engine/project/items.h"
@@ -123,6 +124,38 @@ void Editor::ShowAdded(const std::string& id) {
   if (id == "constraint.hold_on") side.added = project.constraints.back().identity.id;
 }
 
+// Says how far a fill moved joints and what it costs, or that fills could not be made.
+void Editor::SayFilled(const std::string& id) {
+  if (session_.fill_error()) {
+    return Say(
+        Filled(Tr("Fills keep their old keys: %s"), TextOf(*session_.fill_error(), id).c_str()),
+        true);
+  }
+  if (id != "fill.add" && id != "fill.set") return;
+  const auto measured = [&](const char* name) {
+    const auto* value = FindNamed(session_.outcome().measured, name);
+    return value ? value->value : 0.0;
+  };
+  if (measured("keys") == 0.0) return Say(Tr("Nothing to fill: the keys' curves do as well."));
+  std::string text =
+      Filled(Tr("Filled: at most %s cm from where it was (F%d)"),
+             FormatShort(measured("moved_cm")).c_str(), static_cast<int>(measured("moved_at")));
+  if (measured("torque_n_m") > 0.0) {
+    text += Filled(Tr("; torque %s N m, before %s"), FormatShort(measured("torque_n_m")).c_str(),
+                   FormatShort(measured("torque_before_n_m")).c_str());
+  }
+  if (measured("stepped") > 0.0) {
+    text += Filled(Tr("; %d curves keep parts that hold, are linear or eased"),
+                   static_cast<int>(measured("stepped")));
+  }
+  if (measured("unfilled") > 0.0) {
+    text +=
+        Filled(Tr("; %d curves are not filled: too few keys, or keys that are whole turns apart"),
+               static_cast<int>(measured("unfilled")));
+  }
+  Say(text);
+}
+
 // A key that was made while a region moves its joint is not seen there: who wonders why is told.
 void Editor::SayIfSwung(const std::string& id, const Json& parameters) {
   constexpr const char* kPosing[] = {"key.insert", "key.set",     "pose.clear", "pose.paste",
@@ -177,6 +210,7 @@ void Editor::Note(const std::string& id, const Json& parameters) {
   ShowAdded(id);
   KeepAgreement(id, parameters);
   SayIfSwung(id, parameters);
+  SayFilled(id);
   FrameNewDocument(this);
   CloseSweepOfOther(this);
   if (id == "time.range" && !parameters.contains("drag")) Do("sheet.frame_all");

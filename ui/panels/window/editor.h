@@ -130,6 +130,7 @@ class Editor {
 
  private:
   void Note(const std::string& id, const Json& parameters);
+  void SayFilled(const std::string& id);
   void SayIfSwung(const std::string& id, const Json& parameters);
   void DropObject(const std::string& id);
   void ShowAdded(const std::string& id);
