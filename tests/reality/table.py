@@ -1,6 +1,8 @@
 """The results as Markdown."""
 
-from . import cases, springs
+import math
+
+from . import cases, fills, springs
 
 
 def cell(score, other, unit):
@@ -109,6 +111,42 @@ def springs_verdict(results):
             f"80 frames apart, of walks, in {wins(alike, False)} and {wins(captured, False)}.\n\n")
 
 
+def filled(results):
+    text = ("Fills of keys beside their automatic tangents and the natural cubic through them (cm / "
+            "degrees; bold: the nearest of the three):\n\n")
+    text += head(["clip", "keys", "filled", "tangents", "natural cubic", "fill", "keys written"])
+    for row_ in results:
+        scores = [row_[name] for name in fills.METHODS]
+        best = [min(getattr(s, unit) for s in scores) for unit in ("cm", "deg")]
+        cells = [" / ".join(f"**{value:.2f}**" if value == least else f"{value:.2f}"
+                            for value, least in zip((s.cm, s.deg), best)) for s in scores]
+        what = row_["body"] if row_["body"] == fills.WHOLE else f"arms, body {row_['body']}"
+        text += row([row_["clip"], keys_of(row_), what, *cells, str(row_["keys"])])
+    return text + "\n"
+
+
+def filled_verdict(results):
+    """Wins, losses and means of the fill against both curves, by what is filled."""
+    def against(rows, base, unit):
+        ratios = [getattr(r["fill"], unit) / getattr(r[base], unit) for r in rows]
+        mean = math.exp(sum(map(math.log, ratios)) / len(ratios))
+        return (f"{sum(r <= fills.WIN for r in ratios)} nearer, "
+                f"{sum(r >= fills.LOSS for r in ratios)} farther, {mean:.2f} times")
+
+    text = ("Fills in cm (degrees), each against both curves; a difference counts from 5 % on, and "
+            "times is the geometric mean of the errors' ratios:\n\n")
+    text += head(["rows", "against tangents", "against natural cubic", "degrees against tangents"])
+    sparse = [r for r in results if r["gap"] <= fills.GAPS[-1]]
+    for name, rows in [*((f"arms, body {body}", [r for r in sparse if r["body"] == body])
+                         for body in fills.BODIES),
+                       (fills.WHOLE, [r for r in sparse if r["body"] == fills.WHOLE]),
+                       ("arms of walks, keys every 80 frames",
+                        [r for r in results if r["gap"] > fills.GAPS[-1]])]:
+        text += row([f"{name} ({len(rows)})", against(rows, "tangents", "cm"),
+                     against(rows, "natural", "cm"), against(rows, "tangents", "deg")])
+    return text + "\n"
+
+
 def verdict(results):
     """In how many comparisons dynamics is nearer, by cm."""
     swings_, flights_ = results["swings"], results["flights"]
@@ -153,6 +191,7 @@ def landings(results):
 
 
 def markdown(results):
-    return ("\n" + verdict(results) + springs_verdict(results["springs"]) + landings(results) +
+    return ("\n" + filled_verdict(results["fills"]) + filled(results["fills"]) +
+            verdict(results) + springs_verdict(results["springs"]) + landings(results) +
             swings(results["swings"]) + on_springs(results["springs"]) + loose(results["loose"]) +
             flights(results["flights"]))
