@@ -39,7 +39,7 @@ void AddHinges(GroupIndex group, const Animation& animation, FilledJoint* joint)
 
 void AddRootAngles(const Animation& animation, FilledJoint* joint) {
   for (int i = 0; i < 3; ++i) {
-    const size_t curve = static_cast<size_t>(kRootAngleZ + i);
+    const int curve = kRootAngleZ + i;
     joint->row.push_back({Vec3::Unit(2 - i), false});
     joint->curves.push_back(kRootCurveNames[curve]);
     joint->keys_of.push_back(&animation.root_keys[curve]);
@@ -195,7 +195,7 @@ Result<std::optional<FilledJoint>> FilledJointOf(std::optional<GroupIndex> group
   }
   if (!any || joint.first >= joint.last) return std::optional<FilledJoint>();
   std::erase_if(frames, [&](int f) { return f < joint.first || f > joint.last; });
-  joint.is_known.assign(static_cast<size_t>(joint.last - joint.first + 1), 0);
+  joint.is_known.assign(joint.last - joint.first + 1, 0);
   for (const int frame : frames) joint.is_known[static_cast<size_t>(frame - joint.first)] = 1;
   joint.is_free_before = joint.is_free_after = fill.ends == FillEnds::kFree;
   joint.is_known.front() = joint.is_known.back() = 1;

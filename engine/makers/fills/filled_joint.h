@@ -69,9 +69,7 @@ struct JointTurns {
   std::vector<Mat3> turns;              // by frame, from first - 1 on
   std::vector<solve::GivenRate> rates;  // of its keys inside, with frames counted from first - 1
 
-  Mat3& At(int frame, const FilledJoint& joint) {
-    return turns[static_cast<size_t>(frame - joint.first + 1)];
-  }
+  Mat3& At(int frame, const FilledJoint& joint) { return turns[frame - joint.first + 1]; }
 };
 // Motion of its curves; where it turns about one axis from key to key it stays on that one.
 JointTurns TurnsOfCurves(const FilledJoint& joint, FrameRate rate);

@@ -29,7 +29,7 @@ void SmoothPlace(const std::vector<char>& is_known, const std::vector<PlaceRate>
     J << 1.0, -2.0, 1.0;
     VecX r = VecX::Constant(1, (*values)[at - 1] - 2.0 * (*values)[at] + (*values)[at + 1]);
     for (int s = -1; s <= 1; ++s) {
-      if (is_known[static_cast<size_t>(t + s)]) J(0, s + 1) = 0.0;
+      if (is_known[t + s]) J(0, s + 1) = 0.0;
     }
     system.Add(t - 1, J, r);
   }
@@ -72,7 +72,7 @@ FilledPlace FilledPlaceOf(const Keys& keys, const ProjectFill& fill, const Anima
     if (to < first || key.frame > last) continue;
     for (int f = std::max(first, static_cast<int>(std::floor(key.frame)));
          f <= std::min(last, static_cast<int>(std::ceil(to))); ++f) {
-      is_known[static_cast<size_t>(f - first + 1)] = 1;
+      is_known[f - first + 1] = 1;
     }
     const bool is_inside =
         key.frame > first && key.frame < last && key.frame == std::floor(key.frame);

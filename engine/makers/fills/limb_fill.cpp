@@ -45,7 +45,7 @@ std::vector<Pose> Smoothed(const std::vector<Pose>& poses, const std::vector<dou
     double sum = 0.0;
     for (int k = -reach; k <= reach; ++k) {
       const double weight = std::exp(-0.5 * k * k / (width * width));
-      const Pose& other = poses[static_cast<size_t>(t + k)];
+      const Pose& other = poses[t + k];
       sum += weight;
       p += weight * other.p;
       turn += weight * TurnVector(R.transpose() * other.R);
