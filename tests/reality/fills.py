@@ -10,7 +10,7 @@ import numpy as np
 
 from . import cases, motions, springs
 
-WIN, LOSS = 0.95, 1.05
+WIN, LOSS, FAR = 0.95, 1.05, 1.25
 GAPS = [10, 20, 40]
 BODIES = springs.BODIES  # what is not the arms: keyed alike, or as captured
 SWINGING, MEASURED = cases.MB_ARMS
@@ -96,6 +96,10 @@ def judge_all(hazumi, data, out):
         for gap, body in itertools.product(gaps, [*BODIES, WHOLE]):
             if gap > GAPS[-1] and body == WHOLE:
                 continue
-            rows.append({"clip": name, "gap": gap, "body": body,
-                         **judge(hazumi, out, clip, stretch, gap, body)})
+            row = {"clip": name, "gap": gap, "body": body,
+                   **judge(hazumi, out, clip, stretch, gap, body)}
+            if row["fill"].cm > FAR * row["tangents"].cm:  # are the limbs held with the body?
+                row["held"] = judge(hazumi, out, clip, stretch, gap, body,
+                                    relative_to="body")["fill"]
+            rows.append(row)
     return rows

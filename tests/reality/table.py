@@ -120,6 +120,8 @@ def filled(results):
         best = [min(getattr(s, unit) for s in scores) for unit in ("cm", "deg")]
         cells = [" / ".join(f"**{value:.2f}**" if value == least else f"{value:.2f}"
                             for value, least in zip((s.cm, s.deg), best)) for s in scores]
+        if "held" in row_:
+            cells[-1] += f"; relative to the body {row_['held'].cm:.2f} / {row_['held'].deg:.2f}"
         what = row_["body"] if row_["body"] == fills.WHOLE else f"arms, body {row_['body']}"
         text += row([row_["clip"], keys_of(row_), what, *cells, str(row_["keys"])])
     return text + "\n"

@@ -24,8 +24,8 @@ constexpr double kLeastSmoothing = 0.1;  // [frames]
 solve::FillWeights WeightsOf(double snap) {
   solve::FillWeights weights;
   if (snap < 0.0) {
-    weights.velocity *= 1.0 + snap;
-    weights.acceleration *= 1.0 + 0.75 * snap;
+    weights.velocity *= 1.0 + 0.75 * snap;
+    weights.acceleration *= 1.0 + 0.5 * snap;
   } else {
     constexpr double kStanding = 300.0;  // [1/s]
     weights.standing = kStanding * snap * snap;
