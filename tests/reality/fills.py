@@ -5,6 +5,7 @@ import copy
 import itertools
 import json
 import subprocess
+import time
 
 import numpy as np
 
@@ -103,3 +104,29 @@ def judge_all(hazumi, data, out):
                                     relative_to="body")["fill"]
             rows.append(row)
     return rows
+
+
+def times(hazumi, data, out, count=10):
+    """Milliseconds that "Change fill" takes, as a script runs it: with the bake, the solve, the keys
+    and the torques that it reports. By what is filled, in frames of a walk at 120 a second."""
+    project, _ = springs.load(hazumi, data, out, springs.WALK_2)
+    root = project["figure"]["root"]["name"]
+    found = {}
+    for name, joints, first, last in [("both arms, 300 frames", SWINGING, 20, 320),
+                                      ("both arms, 60 frames", SWINGING, 100, 160),
+                                      ("whole figure, 300 frames", [root + "+"], 20, 320)]:
+        path, script = out / "timed.kfa", out / "timed.json"
+        path.write_text(json.dumps(motions.with_keys(project, first, 20, (first, last))),
+                        encoding="utf-8")
+
+        def seconds(changes, joints=joints, first=first, last=last):
+            script.write_text(json.dumps(
+                [{"op": "fill.add", "joints": joints, "first": first, "last": last}] +
+                [{"op": "fill.set", "fill": "fill", "snap": 0.001 * (i + 1)}
+                 for i in range(changes)]), encoding="utf-8")
+            begin = time.perf_counter()
+            subprocess.run([hazumi, "--run", script, path], check=True, capture_output=True)
+            return time.perf_counter() - begin
+
+        found[name] = 1000.0 * min(seconds(count) - seconds(0) for _ in range(3)) / count
+    return found
