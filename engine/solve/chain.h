@@ -1,6 +1,6 @@
 #pragma once
 
-// A limb as one row of joints, and what its motion asks of them.
+// Limb as one row of joints, and the moments that its motion needs.
 //
 // The motion is given frame by frame, h seconds apart. Of frame t, with the frames around it:
 //
@@ -27,7 +27,7 @@ struct TurnAxis {
   bool is_before = false;
 };
 
-// Up to three axes: columns.
+// Axes of a joint as columns, three at most.
 using Axes = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::ColMajor, 3, 3>;
 
 struct ChainJoint {
@@ -51,7 +51,7 @@ struct Chain {
   Vec3 gravity = Vec3::Zero();     // [m/s^2]
   std::vector<ChainJoint> joints;  // from its carrier outwards
   std::vector<Pose> carrier;       // by frame: what the first joint sits on, in the world
-  // By frame and joint: what turns with the joint, in its frame; its mass stays the same.
+  // Inertia that turns with a joint, in its frame, by frame and joint; its mass stays the same.
   std::vector<std::vector<RigidInertia>> bodies;
   std::vector<std::vector<char>> is_known;  // by frame and joint: it keeps its turn
   std::vector<GivenRate> rates;             // with a frame before and one after

@@ -1,6 +1,6 @@
 #pragma once
 
-// The motion between poses that a limb of little effort takes: least
+// Motion of a limb between poses with the least
 //
 //   sum over frames  w_t^2 |tau'|^2 + w_a^2 |alpha|^2 + w_v^2 |omega - omega_ref|^2
 //                    + over frames at which the joint is known  w_s^2 |omega|^2
@@ -33,7 +33,7 @@ struct FillReport {
 // Replaces the turns that are not known. They are the start, and the reference of the velocity.
 FillReport SolveFill(const Chain& chain, const FillWeights& weights, Turns* turns);
 
-// As SolveFill with the accelerations alone: the spline of least acceleration in the space of
+// Same with the accelerations alone: the spline of least acceleration in the space of
 // rotations, joint by joint. It asks for no masses.
 FillReport SolveSpline(const Chain& chain, Turns* turns);
 

@@ -122,7 +122,7 @@ void CurveTrack::Append(double frame, double value, double rate, const Key* left
   }
   const Key& target = (*keys_)[next];
   const double duration = Seconds(target.frame - frame);
-  // What comes out of a takeover is no part of a run.
+  // Intervals that leave a takeover belong to no run.
   const bool is_single = left && !IsOfRun(left->interpolation);
   const Interpolation kind = is_single ? left->interpolation : Interpolation::kCubic;
   Interval interval = Interval::Hold(value);
@@ -144,7 +144,7 @@ void CurveTrack::Append(double frame, double value, double rate, const Key* left
   segments_.push_back({frame, target.frame, interval});
 }
 
-// Whether a run goes on through a key.
+// True if a run goes on through a key.
 bool CurveTrack::GoesOnThrough(size_t index) const {
   if (index == 0 || index + 1 >= keys_->size()) return false;
   const Key &before = (*keys_)[index - 1], &key = (*keys_)[index];

@@ -73,7 +73,7 @@ class CurveTrack {
   using Segment = Piece;
 
   void PlanUpTo(double frame);
-  // Up to the next key of a run, from the key `left`, where the last segment ends.
+  // Appends the segment of a run after the key `left`, where the last segment ends.
   void AppendOfRun(double rate, const Key& left);
   const SplineRun& RunThrough(size_t index);
   bool GoesOnThrough(size_t index) const;

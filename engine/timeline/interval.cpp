@@ -72,7 +72,7 @@ Interval Interval::Cubic(double v1, double r1, double v2, double r2, double dura
 
 Interval Interval::Quintic(const CurveSample& from, const CurveSample& to, double duration) {
   const double T = duration, T2 = T * T, T3 = T2 * T;
-  // What is left at the end of the parabola that the first sample begins.
+  // Differences from the parabola of the first sample, at the end.
   const double value = to.value - from.value - from.rate * T - 0.5 * from.acceleration * T2;
   const double rate = to.rate - from.rate - from.acceleration * T;
   const double acceleration = to.acceleration - from.acceleration;

@@ -24,7 +24,7 @@ class Interval {
   // From v1 with rate r1 to v2; arrives with the rate 2 (v2 - v1) / duration - r1.
   static Interval Quadratic(double v1, double r1, double v2, double duration);
   static Interval Cubic(double v1, double r1, double v2, double r2, double duration);
-  // From value, rate and acceleration to the next ones: a polynomial of degree five.
+  // Polynomial of degree five between two values with their rates and accelerations.
   static Interval Quintic(const CurveSample& from, const CurveSample& to, double duration);
   static Interval Eased(double v1, double v2, double duration, Interpolation kind, Easing easing);
   // Both lengths in (0, 1): shares of the duration. The value and the time are cubics of a
@@ -33,7 +33,7 @@ class Interval {
                            double length2, double duration);
 
   CurveSample At(double seconds) const;
-  // Of degree three at most.
+  // True for a polynomial of degree three at most.
   bool is_polynomial() const { return std::holds_alternative<Polynomial>(way_); }
   // Of a polynomial: c[i] goes with the power i of the seconds.
   std::array<double, 4> coefficients() const { return std::get<Polynomial>(way_).c; }

@@ -23,7 +23,7 @@ Result<double> TorqueIn(const ProjectFill& fill, const Project& project) {
   long count = 0;
   for (size_t t = 0; t < effort.frames.size(); ++t) {
     const int frame = motion.value().frames[t].frame;
-    // Where a curve begins or ends in the middle of a motion its rate jumps within a frame.
+    // Free ends are left out: the rate of the curve jumps there within a frame.
     if (frame < fill.first_frame + 2 || frame > fill.last_frame - 2) continue;
     for (size_t j = 0; j < hinges.size(); ++j) {
       if (!hinges[j]) continue;

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "engine/base/text.h"
+#include "engine/makers/fills/generated_keys.h"
 #include "engine/matrix/eigen_system.h"
 #include "engine/project/edits/curves.h"
 #include "engine/project/edits/entries.h"
@@ -54,10 +55,6 @@ bool IsConstant(const Keys& keys) {
     return key.value == keys.front().value && !key.rate && !key.rate_in;
   });
 }
-bool IsSmooth(const Key& key) {
-  return key.interpolation == Interpolation::kCubic || IsOfRun(key.interpolation);
-}
-
 // Axis of hinge i as seen behind the row, its fixed hinges where they are.
 Vec3 AxisBehind(const FilledJoint& joint, size_t i) {
   Mat3 after = Mat3::Identity();
@@ -205,7 +202,7 @@ Result<std::optional<FilledJoint>> FilledJointOf(std::optional<GroupIndex> group
       const Key& key = (*keys)[k];
       joint.is_free_before &= key.frame > joint.first || (key.frame == joint.first && !key.rate);
       joint.is_free_after &= key.frame < joint.last || (key.frame == joint.last && !key.rate);
-      if (k + 1 == keys->size() || IsSmooth(key)) continue;
+      if (k + 1 == keys->size() || MayBeFilled(key.interpolation)) continue;
       const int from = std::max(joint.first, static_cast<int>(std::ceil(key.frame)));
       const int to = std::min(joint.last, static_cast<int>(std::floor((*keys)[k + 1].frame)));
       if (from < to) joint.has_steps[i] = 1;
@@ -248,7 +245,7 @@ JointTurns TurnsOfCurves(const FilledJoint& joint, FrameRate rate) {
     }
   }
   if (found.axes.size() == 3) StayOnOneAxis(joint, &found);
-  // A joint that stays on an axis, or still, takes no rates aside of it.
+  // Rates across the only axis are dropped, and all rates of a joint that stays still.
   std::erase_if(found.rates, [&](const solve::GivenRate& given) {
     if (found.axes.size() > 1) return false;
     return found.axes.empty() || std::abs(found.axes[0].axis.dot(given.along.normalized())) < 0.99;

@@ -19,13 +19,13 @@ namespace hazumi::makers {
 // Concentric hinges, or the root's turn.
 struct FilledJoint {
   std::optional<GroupIndex> group;  // none: the root
-  // Of its hinges, from the parent out.
+  // Curves of the hinges, from the parent out.
   std::vector<std::string> curves;
   std::vector<const Keys*> keys_of;
   std::vector<double> rest;        // without keys [rad]
   HingeRow row;                    // axes in the frame before it
   Mat3 behind = Mat3::Identity();  // its turn when all angles are 0
-  // How far each hinge may turn: its limits, and as far as its keys go [rad].
+  // Range of each hinge: its limits, extended by its keys [rad].
   std::vector<double> lower, upper;
 
   // Frames of its motion, in the fill: each hinge that has keys has one before or on the first and
@@ -55,8 +55,8 @@ struct FilledJoint {
   }
 };
 
-// None if a hinge of the joint has keys, but fewer than two in the fill, or if no hinge has any.
-// Errors: kSchema for a key between frames.
+// Joint of a fill; none if a hinge has keys, but fewer than two in the fill, or if no hinge has
+// any. Errors: kSchema for a key between frames.
 Result<std::optional<FilledJoint>> FilledJointOf(std::optional<GroupIndex> group,
                                                  const ProjectFill& fill,
                                                  const Animation& animation);

@@ -156,7 +156,7 @@ class MotionFiller {
     WithinLimits(joints, [&] { FillLimb(part, splines, fill_, animation_, &filled_); });
   }
 
-  // How far joints are from where they were.
+  // Finds the joint that the fill moves farthest.
   void Measure() {
     DynamicsWorkspace before(figure_);
     for (const MotionFrame& frame : motion_.frames) {
@@ -186,7 +186,7 @@ class MotionFiller {
 
 Result<FilledMotion> FillMotion(const ProjectFill& fill, const Animation& animation,
                                 const std::atomic<bool>* cancel) {
-  // What dynamics moves is taken as keyed: a region inside the fill goes its own way.
+  // Regions are left out: a fill interpolates keys, and a bake applies its regions afterwards.
   Animation keyed = animation;
   keyed.regions.clear();
   keyed.forces.clear();

@@ -28,7 +28,7 @@ struct FilledMotion {
   std::vector<FilledAngles> joints;
   std::vector<std::string> unfilled;  // curves with keys of joints that have too few of them
   std::array<FilledPlace, 3> places;  // of the root, by axis
-  // How far a joint is from where the animation had it, at most [m].
+  // Largest distance of a joint from its place in the animation [m], and where.
   double farthest = 0.0;
   std::string farthest_joint;
   int farthest_frame = 0;

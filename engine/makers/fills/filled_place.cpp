@@ -4,13 +4,14 @@
 #include <cmath>
 
 #include "engine/makers/fills/filled_joint.h"
+#include "engine/makers/fills/generated_keys.h"
 #include "engine/solve/band_system.h"
 
 namespace hazumi::makers {
 
 namespace {
 
-// Rate that a key states, per frame, with the weight of a rate against second differences.
+// Rate that a key states, per frame.
 struct PlaceRate {
   int index;
   double per_frame;
@@ -34,7 +35,7 @@ void SmoothPlace(const std::vector<char>& is_known, const std::vector<PlaceRate>
     system.Add(t - 1, J, r);
   }
   for (const PlaceRate& rate : rates) {
-    constexpr double kWeight = 100.0;
+    constexpr double kWeight = 100.0;  // of a rate against second differences
     const size_t at = static_cast<size_t>(rate.index);
     MatX J(1, 3);
     J << (is_known[at - 1] ? 0.0 : -0.5 * kWeight), 0.0, (is_known[at + 1] ? 0.0 : 0.5 * kWeight);
@@ -66,9 +67,8 @@ FilledPlace FilledPlaceOf(const Keys& keys, const ProjectFill& fill, const Anima
     const Key& key = keys[k];
     is_free_before &= key.frame > first || (key.frame == first && !key.rate);
     is_free_after &= key.frame < last || (key.frame == last && !key.rate);
-    const bool is_smooth = key.interpolation == Interpolation::kCubic ||
-                           IsOfRun(key.interpolation) || k + 1 == keys.size();
-    const double to = is_smooth ? key.frame : keys[k + 1].frame;
+    const bool is_filled = MayBeFilled(key.interpolation) || k + 1 == keys.size();
+    const double to = is_filled ? key.frame : keys[k + 1].frame;
     if (to < first || key.frame > last) continue;
     for (int f = std::max(first, static_cast<int>(std::floor(key.frame)));
          f <= std::min(last, static_cast<int>(std::ceil(to))); ++f) {

@@ -25,7 +25,7 @@ struct FillReport {
   std::vector<std::string> unfilled;
 };
 
-// Whether a key lies where the fill writes keys, and is one that it wrote.
+// True for a key that the fill wrote.
 bool IsOfFill(const ProjectKey& key, const ProjectFill& fill);
 // Removes all generated keys of joints and root.
 void RemoveGeneratedKeys(Project* project);
@@ -45,7 +45,7 @@ struct MadeFills {
 Result<MadeFills> MakeFills(const Project& project, std::shared_ptr<const Figure> figure = nullptr,
                             const std::atomic<bool>* cancel = nullptr);
 
-// Whether everything is the same that the fills of a project are made from.
+// True if two projects agree in all that their fills depend on.
 bool HaveSameFills(const Project& a, const Project& b);
 
 }  // namespace hazumi::makers

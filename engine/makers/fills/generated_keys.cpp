@@ -21,13 +21,12 @@ double SlopeAt(const std::vector<double>& values, size_t i) {
   return 0.5 * (values[i + 1] - values[i - 1]);
 }
 
-// Whether a key on a frame would not cut an interval that holds, is linear or eased.
-bool IsSmoothAt(double frame, const ProjectCurve& curve) {
+// Whether a fill may put a key on a frame.
+bool MayHaveKey(double frame, const ProjectCurve& curve) {
   const auto next = std::upper_bound(curve.keys.begin(), curve.keys.end(), frame,
                                      [](double f, const ProjectKey& key) { return f < key.frame; });
   if (next == curve.keys.begin() || next == curve.keys.end()) return true;
-  const Interpolation kind = std::prev(next)->interpolation;
-  return kind == Interpolation::kCubic || IsOfRun(kind);
+  return MayBeFilled(std::prev(next)->interpolation);
 }
 
 }  // namespace
@@ -48,7 +47,7 @@ int PutGeneratedKeys(const std::vector<double>& values, int first, const Project
   };
   for (const size_t i : {size_t{0}, values.size() - 1}) {
     const int frame = first + static_cast<int>(i);
-    if (!KeyOn(frame, *curve) && IsSmoothAt(frame, *curve)) put(i);
+    if (!KeyOn(frame, *curve) && MayHaveKey(frame, *curve)) put(i);
   }
   for (bool is_done = false; !is_done;) {
     const Keys keys = ToKeys(*curve, 1.0);

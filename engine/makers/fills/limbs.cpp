@@ -36,7 +36,7 @@ class LimbFinder {
   double MassOf(GroupIndex group) const { return masses_[static_cast<size_t>(group.value())]; }
   bool IsLight(GroupIndex group) const { return MassOf(group) < kLight * figure_.total_mass(); }
 
-  // Of limbs from a joint on.
+  // Number of limbs from a joint on.
   int NumEnds(GroupIndex group) const {
     int ends = 0;
     for (const GroupIndex child : ChildrenOf(figure_.group(group).last(), figure_)) {
@@ -48,7 +48,7 @@ class LimbFinder {
   Limb From(GroupIndex group) const {
     Limb limb = {group};
     for (;;) {
-      // The part that most of the mass beyond lies on: the hand, not the twist bone beside it.
+      // Go on in the part with most of the mass: the hand, not the twist bone beside it.
       const std::vector<GroupIndex> next = ChildrenOf(figure_.group(limb.back()).last(), figure_);
       double sum = 0.0;
       for (const GroupIndex child : next) sum += MassOf(child);

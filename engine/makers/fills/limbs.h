@@ -16,7 +16,7 @@ using Limb = std::vector<GroupIndex>;
 // are no limbs.
 std::vector<Limb> LimbsOf(const Figure& figure);
 
-// Whether it is one that people stand on: whose weight the ground carries.
+// Whether a limb is a leg, whose weight the ground carries.
 bool IsLeg(const Limb& limb, const Figure& figure);
 
 }  // namespace hazumi::makers

@@ -33,7 +33,8 @@ void Include(double frame, bool* any, ProjectFill* fill) {
   *any = true;
 }
 
-// From the first to the last of the selected keys; of fewer than two frames, of the joints' keys.
+// Sets the frames from the first to the last selected key; with fewer than two, to those of the
+// joints' keys.
 void ChooseFrames(const Session& session, ProjectFill* fill) {
   bool any = false;
   for (const auto& [curve, frames] : session.selected_keys()) {

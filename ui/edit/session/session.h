@@ -79,7 +79,7 @@ class Session {
   const Pose& clipboard() const { return clipboard_; }
   void set_clipboard(Pose pose) { clipboard_ = std::move(pose); }
 
-  // What the latest edit made of the fills; empty: it left them alone.
+  // Reports of the fills that the latest edit made anew; empty if it left them alone.
   const std::vector<makers::FillReport>& fill_reports() const { return fill_reports_; }
   // Why their keys are older than the latest edit; none: they are not.
   const std::optional<Error>& fill_error() const { return fill_error_; }
