@@ -32,6 +32,17 @@ void BandSystem::Add(int first, const Eigen::Ref<const MatX>& J, const Eigen::Re
   }
 }
 
+void BandSystem::Add(const std::vector<int>& unknowns, const VecX& J, double r) {
+  HAZUMI_DEMAND(unknowns.empty() || unknowns.back() - unknowns.front() < width_);
+  for (size_t i = 0; i < unknowns.size(); ++i) {
+    const double value = J[static_cast<int>(i)];
+    gradient_[unknowns[i]] += value * r;
+    for (size_t k = 0; k <= i; ++k) {
+      Entry(&rows_, unknowns[i], unknowns[k]) += value * J[static_cast<int>(k)];
+    }
+  }
+}
+
 // Cholesky, row by row.
 bool BandSystem::Solve(double damping, VecX* x) {
   factor_ = rows_;

@@ -17,6 +17,8 @@ class BandSystem {
   // Adds residuals r that touch the unknowns from `first` on, with their derivatives J: rows of r,
   // at most `width` columns.
   void Add(int first, const Eigen::Ref<const MatX>& J, const Eigen::Ref<const VecX>& r);
+  // Adds a residual that touches some unknowns, in ascending order, `width` apart at most.
+  void Add(const std::vector<int>& unknowns, const VecX& J, double r);
   // Solves it with `damping` times each diagonal entry added. Unknowns that no residual touches are
   // 0. False if A is not positive.
   bool Solve(double damping, VecX* x);

@@ -11,10 +11,6 @@ namespace hazumi::solve {
 
 namespace {
 
-constexpr int kMostIterations = 12, kMostTries = 8;
-constexpr double kLeastGain = 1e-4;   // of the cost; with less an iteration was the last one
-constexpr double kLongestStep = 0.5;  // of any unknown [rad]
-
 class FillSolver {
  public:
   FillSolver(const Chain& chain, const FillWeights& weights, Turns* turns)
@@ -25,26 +21,33 @@ class FillSolver {
         reference_(*turns),
         system_(unknowns_.per_frame() * chain.num_frames(), 3 * unknowns_.per_frame()) {}
 
-  FillReport Run() {
-    FillReport report;
-    if (chain_.num_frames() < 3 || unknowns_.per_frame() == 0) return report;
+  SquaresReport Run() {
+    if (chain_.num_frames() < 3 || unknowns_.per_frame() == 0) return {};
     if (weights_.torque > 0.0) unit_ = Unit();
-    double damping = 1e-6;
-    for (int i = 0; i < kMostIterations; ++i) {
-      TakePoses(turns_, &poses_);
-      FreezeMetric();
-      system_.Clear();
-      const double cost = Terms(turns_, poses_, &system_);
-      if (i == 0) report.cost_before = cost;
-      report.cost_after = cost;
-      ++report.iterations;
-      const std::optional<double> better = Improve(cost, &damping);
-      if (!better) break;
-      report.cost_after = *better;
-      if (cost - *better < kLeastGain * cost) break;
-    }
-    return report;
+    return Minimize({}, this, &system_);
   }
+
+  double Linearize(BandSystem* system) {
+    TakePoses(turns_, &poses_);
+    FreezeMetric();
+    return Terms(turns_, poses_, system);
+  }
+
+  double CostAfter(const VecX& step) {
+    moved_ = turns_;
+    for (int t = 0; t < chain_.num_frames(); ++t) {
+      for (int j = 0; j < chain_.num_joints(); ++j) {
+        if (unknowns_.size(j) == 0 || IsKnown(t, j)) continue;
+        Mat3& turn = moved_[static_cast<size_t>(t)][static_cast<size_t>(j)];
+        turn = TurnedOn(turn, chain_.joints[static_cast<size_t>(j)],
+                        step.segment(Number(t, j), unknowns_.size(j)));
+      }
+    }
+    TakePoses(moved_, &moved_poses_);
+    return Terms(moved_, moved_poses_, nullptr);
+  }
+
+  void Accept() { turns_ = moved_; }
 
  private:
   using Poses = std::vector<ChainPose>;
@@ -252,37 +255,6 @@ class FillSolver {
     return r.squaredNorm();
   }
 
-  // Takes a step that makes the sum smaller, shorter and shorter ones if need be.
-  std::optional<double> Improve(double cost, double* damping) {
-    VecX step;
-    Turns moved;
-    Poses poses;
-    for (int attempt = 0; attempt < kMostTries; ++attempt) {
-      if (system_.Solve(*damping, &step)) {
-        const double longest = step.cwiseAbs().maxCoeff();
-        if (longest > kLongestStep) step *= kLongestStep / longest;
-        moved = turns_;
-        for (int t = 0; t < chain_.num_frames(); ++t) {
-          for (int j = 0; j < chain_.num_joints(); ++j) {
-            if (unknowns_.size(j) == 0 || IsKnown(t, j)) continue;
-            Mat3& turn = moved[static_cast<size_t>(t)][static_cast<size_t>(j)];
-            turn = TurnedOn(turn, chain_.joints[static_cast<size_t>(j)],
-                            step.segment(Number(t, j), unknowns_.size(j)));
-          }
-        }
-        TakePoses(moved, &poses);
-        const double better = Terms(moved, poses, nullptr);
-        if (better < cost) {
-          turns_ = moved;
-          *damping = std::max(*damping / 10.0, 1e-9);
-          return better;
-        }
-      }
-      *damping = std::max(*damping * 20.0, 1e-6);
-    }
-    return std::nullopt;
-  }
-
   const Chain& chain_;
   FillWeights weights_;
   ChainUnknowns unknowns_;
@@ -291,16 +263,18 @@ class FillSolver {
   BandSystem system_;
   double unit_ = 1.0;
   Poses poses_;
+  Turns moved_;  // after the step that is tried
+  Poses moved_poses_;
   std::vector<std::vector<MatX>> metric_;  // by frame and joint
 };
 
 }  // namespace
 
-FillReport SolveFill(const Chain& chain, const FillWeights& weights, Turns* turns) {
+SquaresReport SolveFill(const Chain& chain, const FillWeights& weights, Turns* turns) {
   return FillSolver(chain, weights, turns).Run();
 }
 
-FillReport SolveSpline(const Chain& chain, Turns* turns) {
+SquaresReport SolveSpline(const Chain& chain, Turns* turns) {
   return FillSolver(chain, {0.0, 1.0, 0.0, 0.0}, turns).Run();
 }
 

@@ -15,6 +15,7 @@
 #include <optional>
 
 #include "engine/solve/chain.h"
+#include "engine/solve/least_squares.h"
 
 namespace hazumi::solve {
 
@@ -25,16 +26,11 @@ struct FillWeights {
   double standing = 0.0;      // w_s [1/s]
 };
 
-struct FillReport {
-  int iterations = 0;
-  double cost_before = 0.0, cost_after = 0.0;
-};
-
 // Replaces the turns that are not known. They are the start, and the reference of the velocity.
-FillReport SolveFill(const Chain& chain, const FillWeights& weights, Turns* turns);
+SquaresReport SolveFill(const Chain& chain, const FillWeights& weights, Turns* turns);
 
 // Same with the accelerations alone: the spline of least acceleration in the space of
 // rotations, joint by joint. It asks for no masses.
-FillReport SolveSpline(const Chain& chain, Turns* turns);
+SquaresReport SolveSpline(const Chain& chain, Turns* turns);
 
 }  // namespace hazumi::solve

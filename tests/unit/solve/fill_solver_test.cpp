@@ -59,7 +59,7 @@ TEST(SolveFill, KeepsWhatIsKnownAndLessensTheCost) {
     Chain chain = RandomChain(41, seed, &turns);
     for (size_t t = 0; t <= 40; t += 10) chain.is_known[t] = {1, 1, 1};
     const Turns before = turns;
-    const FillReport report = SolveFill(chain, FillWeights(), &turns);
+    const SquaresReport report = SolveFill(chain, FillWeights(), &turns);
     EXPECT_LT(report.cost_after, 0.9 * report.cost_before) << seed;
     for (size_t t = 0; t <= 40; t += 10) {
       for (size_t k = 0; k < 3; ++k) EXPECT_EQ(turns[t][k], before[t][k]);
