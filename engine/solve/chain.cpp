@@ -67,6 +67,7 @@ ChainMoments::ChainMoments(const Chain& chain, int frame, const ChainPose& befor
   const size_t n = chain.joints.size();
   own_.reserve(n);
   for (size_t k = 0; k < n; ++k) own_.push_back(ForcesOn(k));
+  if (chain.falling_mass > 0.0) TakeFall();
   sums_.resize(n);
   for (size_t k = n; k-- > 0;) {
     const ChainPose::Body& body = now.bodies[k];
@@ -80,6 +81,7 @@ ChainMoments::ChainMoments(const Chain& chain, int frame, const ChainPose& befor
 
 ChainMoments::OwnForces ChainMoments::ForcesOn(size_t k) const {
   const RigidInertia& body = chain_.bodies[static_cast<size_t>(frame_)][k];
+  if (body.is_massless()) return {};
   const ChainPose::Body &a = before_->bodies[k], &x = now_->bodies[k], &z = after_->bodies[k];
   const double per_step2 = 1.0 / (chain_.step * chain_.step);
   OwnForces own;
@@ -95,12 +97,28 @@ ChainMoments::OwnForces ChainMoments::ForcesOn(size_t k) const {
   return own;
 }
 
+void ChainMoments::TakeFall() {
+  const auto& bodies = chain_.bodies[static_cast<size_t>(frame_)];
+  Vec3 asked = chain_.fall[static_cast<size_t>(frame_)];
+  for (size_t k = 0; k < own_.size(); ++k) asked -= own_[k].F + bodies[k].mass * chain_.gravity;
+  levers_.resize(own_.size());
+  double mass = 0.0;
+  Vec3 moment = Vec3::Zero();  // sum of m_k g_k
+  for (size_t k = own_.size(); k-- > 0;) {
+    own_[k].F += bodies[k].mass / chain_.falling_mass * asked;
+    mass += bodies[k].mass;
+    moment += bodies[k].mass * now_->bodies[k].g;
+    levers_[k] = moment - mass * now_->bodies[k].o;
+  }
+}
+
 VecX ChainMoments::Torques(int joint) const {
   const size_t j = static_cast<size_t>(joint);
   return now_->bodies[j].axes.transpose() * sums_[j].moment;
 }
 
 ChainMoments::Sums ChainMoments::Change(int at, size_t joint, const Vec3& u, size_t k) const {
+  if (chain_.bodies[static_cast<size_t>(frame_)][k].is_massless()) return {};
   const double per_step2 = 1.0 / (chain_.step * chain_.step);
   const ChainPose& moved = at < 0 ? *before_ : at > 0 ? *after_ : *now_;
   const ChainPose::Body& body = moved.bodies[k];
@@ -127,6 +145,11 @@ void ChainMoments::Differentiate(int at, int joint, int axis, const ChainUnknown
   const ChainPose& moved = at < 0 ? *before_ : at > 0 ? *after_ : *now_;
   const size_t i = static_cast<size_t>(joint);
   const Vec3 u = moved.bodies[i].axes.col(axis);
+  Vec3 fall = Vec3::Zero();  // change of s''
+  if (!levers_.empty()) {
+    for (size_t k = i; k < own_.size(); ++k) fall -= Change(at, i, u, k).force;
+    fall /= chain_.falling_mass;
+  }
   Sums sums;
   for (size_t k = chain_.joints.size(); k-- > 0;) {
     const ChainPose::Body& body = now_->bodies[k];
@@ -148,6 +171,7 @@ void ChainMoments::Differentiate(int at, int joint, int axis, const ChainUnknown
       const Vec3& b = body.axes.col(e);
       double& entry = change[first + e];
       entry = b.dot(sums.moment);
+      if (!levers_.empty()) entry += b.dot(levers_[k].cross(fall));
       const bool is_turned = k > i || !chain_.joints[k].axes[static_cast<size_t>(e)].is_before;
       if (turns && is_turned) entry += u.cross(b).dot(sums_[k].moment);
     }

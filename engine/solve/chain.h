@@ -11,7 +11,8 @@
 //
 // W: how a body is turned in the world, o: its joint's origin, g: its centre of mass, n_j: the
 // moment that joint j gives to what it carries [N m]. [Luh, Walker, Paul 1980] gives the sums from
-// the tip inwards.
+// the tip inwards. Of a figure of mass M that falls, all F_k have m_k s'' more,
+// M s'' = fall - sum over k of m_k g_k''.
 
 #include <vector>
 
@@ -57,6 +58,11 @@ struct Chain {
   std::vector<GivenRate> rates;             // with a frame before and one after
   // The first and the last frame stand for the velocities with which the motion arrives and leaves.
   bool has_end_rates = false;
+  // Mass of a figure in free fall that the carrier belongs to [kg]; 0: nothing moves the carrier
+  // but what is given. `carrier` is then where it is as long as the limb's bodies ask for `fall`,
+  // by frame: sum of m_k g_k'' [N]; what they ask for besides moves the whole figure the other way.
+  double falling_mass = 0.0;
+  std::vector<Vec3> fall;
 
   int num_frames() const { return static_cast<int>(carrier.size()); }
   int num_joints() const { return static_cast<int>(joints.size()); }
@@ -108,12 +114,14 @@ class ChainMoments {
     Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
   };
   struct OwnForces {
-    Vec3 F, N;
+    Vec3 F = Vec3::Zero(), N = Vec3::Zero();
+    // Not of a body without mass.
     Vec3 f1, f2;  // turns, in the body's frame
     Mat3 V1, V2;  // TurnVectorChange of these
     Mat3 P, Q;    // derivatives of P(f2) and Q(f1)
   };
   OwnForces ForcesOn(size_t k) const;
+  void TakeFall();
   // Changes of F and N of body k with the axis u of `joint`.
   Sums Change(int at, size_t joint, const Vec3& u, size_t k) const;
 
@@ -122,6 +130,8 @@ class ChainMoments {
   const ChainPose *before_, *now_, *after_;
   std::vector<OwnForces> own_;
   std::vector<Sums> sums_;
+  std::vector<Vec3>
+      levers_;  // of a figure that falls, by joint: sum over k >= j of m_k (g_k - o_j)
 };
 
 // Inertia that each joint carries, about its axes: square, of the number of axes [kg m^2].
