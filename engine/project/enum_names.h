@@ -17,6 +17,7 @@
 #include "engine/timeline/constraint.h"
 #include "engine/timeline/dynamics_region.h"
 #include "engine/timeline/fill_span.h"
+#include "engine/timeline/goal_kind.h"
 #include "engine/timeline/keyframe.h"
 #include "engine/timeline/outer_force.h"
 #include "engine/timeline/placement_span.h"
@@ -97,6 +98,13 @@ struct EnumNames<FillFrame> {
   static constexpr const char* kWhat = "frame of a fill";
   static constexpr EnumName<FillFrame> kNames[] = {{FillFrame::kWorld, NameOf(FillFrame::kWorld)},
                                                    {FillFrame::kBody, NameOf(FillFrame::kBody)}};
+};
+
+template <>
+struct EnumNames<GoalKind> {
+  static constexpr const char* kWhat = "kind of a goal";
+  static constexpr EnumName<GoalKind> kNames[] = {{GoalKind::kPose, NameOf(GoalKind::kPose)},
+                                                  {GoalKind::kPoint, NameOf(GoalKind::kPoint)}};
 };
 
 template <>

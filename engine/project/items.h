@@ -113,10 +113,22 @@ struct ItemKind<ProjectFill> {
   static constexpr const char* kList = "fills";
   static auto& In(auto& project) { return project.fills; }
 };
+template <>
+struct ItemKind<ProjectGoal> {
+  static constexpr const char* kTitle = "Goals";
+  static constexpr const char* kAdd = "goal.add";
+  static constexpr const char* kSet = "goal.set";
+  static constexpr const char* kRemove = "goal.remove";
+  static constexpr const char* kParameter = "goal";
+  static constexpr Thing kThing = Thing::kGoal;
+  static constexpr const char* kList = "goals";
+  static auto& In(auto& project) { return project.goals; }
+  static void ForEachFrame(auto& goal, auto&& action) { action(goal.frame); }
+};
 
 using ItemTypes =
     std::tuple<ProjectRegion, ProjectPlacement, ProjectHold, ProjectHeldObject, ProjectSceneObject,
-               ProjectMarker, ProjectForce, ProjectConstraint, ProjectFill>;
+               ProjectMarker, ProjectForce, ProjectConstraint, ProjectFill, ProjectGoal>;
 
 // Calls action(kind, list of each project ...) for each kind; `kind` is an ItemKind<Item>. Without
 // projects: action(kind).

@@ -18,6 +18,7 @@
 #include "engine/project/project_scene.h"
 #include "engine/timeline/animation.h"
 #include "engine/timeline/fill_span.h"
+#include "engine/timeline/goal_kind.h"
 
 namespace hazumi {
 
@@ -37,6 +38,8 @@ struct ProjectFrames {
 inline constexpr double kDefaultStep = 1.0 / 30.0;  // [s]
 inline constexpr double kDefaultToleranceDeg = 0.01;
 inline constexpr double kDefaultFillToleranceDeg = 0.05;
+inline constexpr double kDefaultGoalToleranceDeg = 0.1;
+inline constexpr double kDefaultGoalToleranceM = 0.005;
 
 // Both numbers are kept whatever the method, so that trying the other one loses nothing.
 struct ProjectSolver {
@@ -86,7 +89,8 @@ struct ProjectDrive {
   DriveKind kind = DriveKind::kSpring;
   std::vector<JointRef> joints;
   // kTorque
-  ProjectCurve torque;  // [N m]
+  ProjectCurve torque;    // [N m]
+  std::string solved_by;  // the goal that it was found for; empty: the animator's
   // kSpring
   SpringTarget to = SpringTarget::kKeys;
   double frequency_hz = 2.0, damping_ratio = 1.0;
@@ -210,6 +214,25 @@ struct ProjectFill {
   bool operator==(const ProjectFill&) const = default;
 };
 
+// State that has to come true in a frame while a region moves the joints. A goal moves nothing by
+// itself: an aim finds torques with which it comes true.
+struct ProjectGoal {
+  std::string name;
+  GoalKind kind = GoalKind::kPose;
+  int frame = 0;
+  std::vector<JointRef> joints;  // kPose: they have the angles of their keys
+  // kPoint
+  std::string joint;
+  Vec3 offset_m = Vec3::Zero();                     // in the joint's frame
+  Vec3 position_m = Vec3::Zero();                   // in the world
+  bool rests = false;                               // what moves there stands still
+  double tolerance_deg = kDefaultGoalToleranceDeg;  // kPose
+  double tolerance_m = kDefaultGoalToleranceM;      // kPoint
+  ExtraFields extra;
+  Identity identity = {};
+  bool operator==(const ProjectGoal&) const = default;
+};
+
 // A frame with a name, for people.
 struct ProjectMarker {
   int frame = 0;
@@ -260,6 +283,7 @@ struct Project {
   std::vector<ProjectForce> forces;
   std::vector<ProjectConstraint> constraints;
   std::vector<ProjectFill> fills;  // in the order in which they are made
+  std::vector<ProjectGoal> goals;
   ExtraFields extra;
   ReadReport read;
   bool operator==(const Project&) const = default;
@@ -271,10 +295,10 @@ template <typename AnyProject>
 auto PartsOfProject(AnyProject& project) {
   auto& [name, fps, frames, solver, figure, skin, size_is_guessed, source, scene, root, joints,
          regions, placements, holds, held_objects, camera, audio, reference, markers, preview,
-         selection_sets, forces, constraints, fills, extra, read] = project;
+         selection_sets, forces, constraints, fills, goals, extra, read] = project;
   return std::tie(joints, name, fps, frames, solver, figure, skin, size_is_guessed, source, scene,
                   root.extra, regions, placements, holds, held_objects, camera, audio, reference,
-                  markers, preview, selection_sets, forces, constraints, fills, extra);
+                  markers, preview, selection_sets, forces, constraints, fills, goals, extra);
 }
 
 }  // namespace hazumi

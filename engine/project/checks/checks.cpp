@@ -77,6 +77,7 @@ constexpr CheckText kTexts[] = {
      "{} fills {} in frames {} to {}, too; end one where the other begins, or take the joint out "
      "of "
      "one"},
+    {Check::kGoalEmpty, kSchema, "a goal of kind pose needs at least one joint"},
     {Check::kNameTwice, kSchema, "the name {} is already used by {}; choose another"},
     {Check::kNoView, kSchema, "eye_m and target_m are the same point; move one of them"},
     {Check::kReleaseByNobody, kSchema,

@@ -66,6 +66,7 @@ enum class Check {
   kSetEmpty,
   kFillEmpty,
   kFillsOverlap,
+  kGoalEmpty,
   kNameTwice,
   kNoView,
   kReleaseByNobody,

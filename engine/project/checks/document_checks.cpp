@@ -125,6 +125,12 @@ void CheckFill(const ProjectFill& fill, const Site& site) {
   if (fill.joints.empty()) site.Field("joints").Report(Check::kFillEmpty);
 }
 
+void CheckGoal(const ProjectGoal& goal, const Site& site) {
+  if (goal.kind == GoalKind::kPose && goal.joints.empty()) {
+    site.Field("joints").Report(Check::kGoalEmpty);
+  }
+}
+
 void CheckCamera(const ProjectCamera& camera, const Site& site) {
   if ((camera.eye_m - camera.target_m).norm() < 1e-9) site.Report(Check::kNoView);
 }
@@ -175,6 +181,7 @@ void CheckDocument(const Project& project, FirstError* errors) {
   CheckNamesUnique(project.selection_sets, site.Field("selection_sets"));
   ForEach(project.selection_sets, site.Field("selection_sets"), CheckSet);
   ForEach(project.fills, site.Field("fills"), CheckFill);
+  ForEach(project.goals, site.Field("goals"), CheckGoal);
   CheckItems(project, site);
   ForEach(project.regions, site.Field("regions"),
           [&](const ProjectRegion& region, const Site& place) {

@@ -273,6 +273,9 @@ void CheckNames(const Project& project, const Figure& figure, FirstError* errors
     CheckJointsOf(project.selection_sets[i].joints, figure, site.Field("selection_sets").Item(i));
   }
   CheckFills(project.fills, figure, site.Field("fills"));
+  for (size_t i = 0; i < project.goals.size(); ++i) {
+    CheckJointsOf(project.goals[i].joints, figure, site.Field("goals").Item(i));
+  }
 }
 
 }  // namespace hazumi

@@ -105,6 +105,18 @@ std::vector<std::string> CurvesOf(const ProjectRegion& region, const Figure& fig
   return names;
 }
 
+// Whether the region moves joints that a goal names.
+bool IsOf(const ProjectGoal& goal, const ProjectRegion& region, const Figure& figure) {
+  const std::vector<JointRef> point = {{goal.joint, false, {}}};
+  const bool is_pose = goal.kind == GoalKind::kPose;
+  const std::vector<bool> named = JointsOf(is_pose ? goal.joints : point, figure);
+  const std::vector<bool> moved = JointsOf(region, figure);
+  for (size_t j = 0; j < named.size(); ++j) {
+    if (named[j] && moved[j]) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 void CarryAlong(const KeySelection& selected, const Figure& figure, const FrameMap& to,
@@ -114,6 +126,12 @@ void CarryAlong(const KeySelection& selected, const Figure& figure, const FrameM
   if (carrier.is_one_frame()) return;
   for (ProjectRegion& region : project->regions) {
     if (!carrier.has_all() && !carrier.HasAllOf(CurvesOf(region, figure))) continue;
+    // Goals in a region go with it.
+    for (ProjectGoal& goal : project->goals) {
+      const bool is_inside = goal.frame > region.first_frame && goal.frame <= region.last_frame;
+      const bool is_of_it = is_inside && IsOf(goal, region, figure);
+      if (!carrier.has_all() && is_of_it) carrier.CarryFrames(ItemKind<ProjectGoal>(), &goal);
+    }
     carrier.CarrySpan(&region);
     for (ProjectDrive& drive : region.drives) {
       for (ProjectCurve* curve :

@@ -42,6 +42,7 @@ enum class Thing {
   kSceneOrHeldObject,
   kConstraint,
   kFill,
+  kGoal,
   kHolder,  // of an object; no parameter names it
   kColor,   // "#rrggbb"
 };
@@ -65,6 +66,7 @@ constexpr const char* Describe(Thing thing) {
                                      "names an object, of the scene or held",
                                      "names a constraint",
                                      "names a fill",
+                                     "names a goal",
                                      "",
                                      "a colour"};
   static_assert(sizeof kThings / sizeof *kThings == static_cast<size_t>(Thing::kColor) + 1);

@@ -19,6 +19,7 @@
 #include "engine/project/fields/field.h"
 #include "engine/project/fields/fill_fields.h"
 #include "engine/project/fields/force_fields.h"
+#include "engine/project/fields/goal_fields.h"
 #include "engine/project/fields/region_fields.h"
 #include "engine/project/fields/scene_fields.h"
 #include "engine/project/project.h"
@@ -282,6 +283,9 @@ void Describe(Ar& ar, Ref<Ar, Project> project) {
        .details = "What is filled in between keys, in the order in which it is made: a limb "
                   "after what carries it."},
       project.fills);
+  ar.Optional(
+      {.name = "goals", .details = "What has to come true while dynamics moves the figure."},
+      project.goals);
 }
 
 }  // namespace hazumi

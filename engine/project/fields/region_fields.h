@@ -80,6 +80,10 @@ void Describe(Ar& ar, Ref<Ar, ProjectDrive> drive) {
             "positively; before the first key and after the last one it is constant."};
     ar.List(kKeys, drive.torque.keys,
             [](auto& item, auto& key) { DescribeKey(item, key, kTorqueKey); });
+    ar.Optional({.name = "solved_by",
+                 .details = "The goal for which it was found: the next aim finds it anew. Default: "
+                            "it is the animator's, and stays."},
+                drive.solved_by);
   }
   if (drive.kind == DriveKind::kSpring) {
     ar.Optional({.name = "to",

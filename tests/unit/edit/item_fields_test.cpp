@@ -78,6 +78,7 @@ TEST(ItemFields, AreSetAndReadBack) {
   ExpectAllKindsAreSet<ProjectForce>("force");
   ExpectAllKindsAreSet<ProjectConstraint>("constraint");
   ExpectAllAreSet(ProjectFill(), "fill");
+  ExpectAllKindsAreSet<ProjectGoal>("goal");
   ExpectAllAreSet(ProjectSolver(), "solver");
   ExpectAllAreSet(ProjectCamera(), "camera");
   ExpectAllAreSet(ProjectAudio(), "audio");
@@ -135,6 +136,7 @@ TEST(ItemFields, AreParametersOfTheirOperators) {
   expect(edit::FieldsOf<ProjectForce>(), {"force.add", "force.set"});
   expect(edit::FieldsOf<ProjectConstraint>(), {"constraint.add", "constraint.set"});
   expect(edit::FieldsOf<ProjectFill>(), {"fill.add", "fill.set"});
+  expect(edit::FieldsOf<ProjectGoal>(), {"goal.add", "goal.set"});
   expect(edit::FieldsOf<ProjectSolver>(), {"solver.set"});
   expect(edit::FieldsOf(ProjectHeldObject()), {"held.add_ball", "held.set"});
   expect(edit::FieldsOf<ProjectCamera>(), {"camera.set"});

@@ -122,7 +122,11 @@ constexpr const char* kSample = R"({
                      {"name": "root", "joints": ["pelvis"]}],
   "fills": [{"name": "arm", "first_frame": 0, "last_frame": 10, "joints": ["r_elbow"],
              "relative_to": "body", "ends": "free", "snap": -0.5, "tolerance_deg": 0.2},
-            {"name": "legs", "first_frame": 2, "last_frame": 8, "joints": [{"beyond": "l_hip"}, "pelvis"]}]
+            {"name": "legs", "first_frame": 2, "last_frame": 8, "joints": [{"beyond": "l_hip"}, "pelvis"]}],
+  "goals": [{"name": "meet", "kind": "pose", "frame": 7, "joints": ["r_elbow", {"beyond": "l_shoulder"}],
+             "tolerance_deg": 0.5, "rests": true},
+            {"name": "button", "kind": "point", "frame": 8, "joint": "r_wrist", "offset_m": [0, 0, -0.1],
+             "position_m": [0.4, -0.2, 1.2], "tolerance_m": 0.01}]
 })";
 
 }  // namespace

@@ -26,6 +26,7 @@ FrameSpan SpanOf(const ProjectHolder& holder) {
 void AddFrame(double frame, Spans* spans) { spans->push_back({frame, frame}); }
 
 void AddWhole(const ProjectMarker& marker, Spans* spans) { AddFrame(marker.frame, spans); }
+void AddWhole(const ProjectGoal& goal, Spans* spans) { AddFrame(goal.frame, spans); }
 void AddWhole(const ProjectSceneObject&, Spans*) {}  // has no frames
 // An object that is never let go has no frame.
 void AddWhole(const ProjectHeldObject& object, Spans* spans) {
