@@ -13,7 +13,9 @@ Result<const Motion*> TrialBakes::BakeTo(int frame, const Animation& animation) 
     bake_->Update(animation);
     updates_ += 1.0;
   } else {
-    bake_ = std::make_unique<IncrementalBake>(animation);
+    BakeOptions options;
+    options.threads = 1;  // trials are short: threads would wait longer than they work
+    bake_ = std::make_unique<IncrementalBake>(animation, options);
   }
   if (const auto error = bake_->BakeTo(frame)) return *error;
   return &bake_->motion();

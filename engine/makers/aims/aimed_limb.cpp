@@ -1,0 +1,387 @@
+#include "engine/makers/aims/aimed_limb.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "engine/bake/pose/held_objects.h"
+#include "engine/dynamics/kinematics.h"
+#include "engine/makers/aims/reach_pose.h"
+#include "engine/solve/turn_vector.h"
+
+namespace hazumi::makers {
+
+namespace {
+
+constexpr int kFrames = 60;  // of the model, about
+constexpr int kMostPerFrame = 8;
+constexpr int kIntervals = 5;  // of the splines, about
+constexpr int kKeys = 10;      // of a torque, about
+
+// Frames from the first one on, about so far apart, with each of `with` among them.
+std::vector<int> FramesThrough(int first, const std::vector<int>& with, int apart) {
+  std::vector<int> frames = {first};
+  for (const int next : with) {
+    const int from = frames.back();
+    const int count = std::max(1, (2 * (next - from) + apart) / (2 * apart));
+    for (int i = 1; i <= count; ++i) frames.push_back(from + (next - from) * i / count);
+  }
+  return frames;
+}
+
+// A cubic from value and rate to value and rate over a time of `h`, at a share s of it.
+template <typename T>
+T CubicAt(const T& p0, const T& v0, const T& p1, const T& v1, double h, double s) {
+  const double s2 = s * s, s3 = s2 * s;
+  return (2.0 * s3 - 3.0 * s2 + 1.0) * p0 + (s3 - 2.0 * s2 + s) * h * v0 +
+         (3.0 * s2 - 2.0 * s3) * p1 + (s3 - s2) * h * v1;
+}
+
+// Whether gravity alone places the figure in a frame.
+bool IsFalling(const MotionFrame& frame, const Animation& animation) {
+  return !frame.pinned && std::any_of(animation.placements.begin(), animation.placements.end(),
+                                      [&](const PlacementSpan& span) {
+                                        return span.kind == PlacementKind::kGravity &&
+                                               frame.frame >= span.first_frame &&
+                                               frame.frame < span.last_frame;
+                                      });
+}
+
+}  // namespace
+
+AimedLimb::AimedLimb(AimedHinges hinges, const DynamicsRegion& region, std::vector<AimGoal> goals,
+                     double most, const Animation& animation, const Motion& motion)
+    : animation_(animation),
+      figure_(*animation.figure),
+      motion_(motion),
+      hinges_(std::move(hinges)),
+      goals_(std::move(goals)),
+      first_(region.first_frame) {
+  std::stable_sort(goals_.begin(), goals_.end(),
+                   [](const AimGoal& a, const AimGoal& b) { return a.frame < b.frame; });
+  last_ = goals_.back().frame;
+  goes_on_ = last_ < region.last_frame;
+  const int frames = last_ - first_;
+  per_frame_ = std::clamp((kFrames + frames - 1) / frames, 1, kMostPerFrame);
+  knots_ = FramesThrough(first_, GoalFrames(), std::max(1, (frames + kKeys / 2) / kKeys));
+  BuildChain(region, most);
+  AddFrames();
+  TakeStrengths();
+  AskForGoals();
+}
+
+std::vector<int> AimedLimb::GoalFrames() const {
+  std::vector<int> frames;
+  for (const AimGoal& goal : goals_) {
+    if (frames.empty() || frames.back() != goal.frame) frames.push_back(goal.frame);
+  }
+  return frames;
+}
+
+void AimedLimb::BuildChain(const DynamicsRegion& region, double most) {
+  solve::Chain& chain = problem_.chain;
+  chain.step = animation_.rate.seconds_per_frame() / per_frame_;
+  chain.gravity = {0.0, 0.0, -animation_.gravity};
+  problem_.most = most;
+  for (size_t k = 0; k < hinges_.path.size(); ++k) {
+    const JointIndex j = hinges_.path[k];
+    const Joint& joint = figure_.joint(j);
+    chain.joints.push_back({joint.X_PJ.p, {{joint.axis, false}}});
+    solve::AimHinge hinge;
+    hinge.before = joint.X_PJ.R;
+    hinge.moves = hinges_.moves[k] != 0;
+    const auto at = std::lower_bound(region.joints.begin(), region.joints.end(), j);
+    if (hinge.moves) {
+      hinge.friction =
+          FrictionRate(region.friction[static_cast<size_t>(at - region.joints.begin())]);
+    }
+    hinge.is_bounded = joint.strength.has_value();
+    hinge.lower = joint.lower;
+    hinge.upper = joint.upper;
+    const MotionLimit& start =
+        motion_.frames[static_cast<size_t>(first_ - motion_.frames[0].frame)].after;
+    hinge.start_rate = start.qd[j.value()];
+    problem_.hinges.push_back(hinge);
+  }
+}
+
+namespace {
+
+// Geometric mean of both directions; none: not known.
+std::optional<double> MeanStrength(const Joint& joint) {
+  if (!joint.strength) return std::nullopt;
+  return std::sqrt(joint.strength->positive.torque * joint.strength->negative.torque);
+}
+
+}  // namespace
+
+// A hinge whose strength is not known is as strong as those that share its joint, or else turns
+// what it carries as fast as arms can.
+void AimedLimb::TakeStrengths() {
+  constexpr double kFast = 300.0;  // [rad/s^2]
+  constexpr double kLeast = 1e-6;  // [N m]
+  const solve::ChainPose pose =
+      solve::PoseOfChain(problem_.chain, 1, solve::TurnsOf(problem_, start_.col(1)));
+  const std::vector<MatX> carried = solve::CarriedInertias(problem_.chain, 1, pose);
+  std::vector<double> strengths;
+  for (size_t k = 0; k < hinges_.path.size(); ++k) {
+    solve::AimHinge& hinge = problem_.hinges[k];
+    const JointGroup& group = figure_.group(figure_.joint(hinges_.path[k]).group);
+    double product = 1.0;
+    int count = 0;
+    for (int j = group.first.value(); j <= group.last().value(); ++j) {
+      const std::optional<double> known = MeanStrength(figure_.joint(JointIndex(j)));
+      if (known) product *= *known;
+      count += known ? 1 : 0;
+    }
+    hinge.strength =
+        count > 0 ? std::pow(product, 1.0 / count) : std::max(kFast * carried[k](0, 0), kLeast);
+    hinge.strength = MeanStrength(figure_.joint(hinges_.path[k])).value_or(hinge.strength);
+    if (hinge.moves) strengths.insert(strengths.end(), knots_.size(), hinge.strength);
+  }
+  strengths_ = Eigen::Map<const VecX>(strengths.data(), static_cast<int>(strengths.size()));
+}
+
+// Frame by frame of the model: the carrier, the angles, and what turns with each hinge.
+void AimedLimb::AddFrames() {
+  solve::Chain& chain = problem_.chain;
+  const int n = static_cast<int>(hinges_.path.size());
+  const int count = NumberOf(last_) + 1;
+  start_ = MatX::Zero(n, count);
+  DynamicsWorkspace ws(figure_);
+  const JointIndex base = figure_.joint(hinges_.path[0]).parent;
+  struct CarrierAt {
+    Pose pose;
+    Vec3 w, v;
+  };
+  const auto carrier_of = [&](const MotionLimit& at) {
+    ComputePositions(figure_, at.X_WR, at.q, &ws);
+    ComputeVelocities(figure_, at.root_w, at.root_v, at.qd, &ws);
+    const BodyScratch& body = base.is_valid() ? ws.body(base) : ws.bodies[0];
+    return CarrierAt{{body.R, body.p}, body.w, body.v};
+  };
+  const double h = animation_.rate.seconds_per_frame();
+  const int begin = motion_.frames[0].frame;
+  for (int t = 0; t < count; ++t) {
+    // The frame before the start goes on as the motion behind it.
+    const double frame = FrameOf(t);
+    const int whole = std::clamp(static_cast<int>(std::floor(frame)), first_, last_ - 1);
+    const MotionLimit& a = motion_.frames[static_cast<size_t>(whole - begin)].after;
+    const MotionLimit& b = motion_.frames[static_cast<size_t>(whole + 1 - begin)].before;
+    const double s = frame - whole;
+    const CarrierAt x = carrier_of(a), z = carrier_of(b);
+    const Vec3 turn = solve::TurnVector(x.pose.R.transpose() * z.pose.R);
+    const Vec3 turned =
+        CubicAt<Vec3>(Vec3::Zero(), x.pose.R.transpose() * x.w, turn,
+                      solve::TurnVectorChange(turn) * (z.pose.R.transpose() * z.w), h, s);
+    chain.carrier.push_back(
+        {x.pose.R * solve::RotationBy(turned), CubicAt<Vec3>(x.pose.p, x.v, z.pose.p, z.v, h, s)});
+    for (int k = 0; k < n; ++k) {
+      const int j = hinges_.path[static_cast<size_t>(k)].value();
+      start_(k, t) = CubicAt(a.q[j], a.qd[j], b.q[j], b.qd[j], h, s);
+    }
+  }
+  problem_.given = start_;
+  const int apart = std::max(1, (last_ - first_ + kIntervals / 2) / kIntervals);
+  for (const int knot : FramesThrough(first_, GoalFrames(), apart)) {
+    problem_.knots.push_back(NumberOf(knot));
+  }
+  // Objects that are held half-way count as held all the way.
+  double mass = 0.0;  // of the figure
+  chain.bodies.assign(static_cast<size_t>(count), BodiesAt((first_ + last_) / 2, &mass));
+  const MotionFrame& at = motion_.frames[static_cast<size_t>(first_ - begin)];
+  if (IsFalling(at, animation_)) TakeFall(mass);
+}
+
+// Bodies by hinge of the path, and the mass of the figure [kg], with what is held in a frame.
+// Bodies beside the path move with it as on the first frame.
+std::vector<RigidInertia> AimedLimb::BodiesAt(int frame, double* mass) const {
+  const int n = static_cast<int>(hinges_.path.size());
+  const int begin = motion_.frames[0].frame;
+  const MotionFrame& held = motion_.frames[static_cast<size_t>(frame - begin)];
+  const MotionLimit& at = motion_.frames[static_cast<size_t>(first_ - begin)].after;
+  Figure loaded = figure_;
+  for (size_t i = 0; i < held.objects.size(); ++i) {
+    loaded = WithObject(loaded, animation_.held_objects[i], held.objects[i].holder);
+  }
+  *mass = loaded.total_mass();
+  DynamicsWorkspace ws(figure_);
+  ComputePositions(figure_, at.X_WR, at.q, &ws);
+  std::vector<RigidInertia> bodies;
+  for (int k = 0; k < n; ++k) {
+    const JointIndex j = hinges_.path[static_cast<size_t>(k)];
+    const Pose X_JW = Pose{ws.body(j).R, ws.body(j).p}.Inverse();
+    const int end = figure_.joint(j).subtree_end.value();
+    const int next = k + 1 < n ? hinges_.path[static_cast<size_t>(k) + 1].value() : end;
+    const int next_end = next < end ? figure_.joint(JointIndex(next)).subtree_end.value() : end;
+    RigidInertia sum;
+    for (int i = j.value(); i < end; ++i) {
+      const RigidInertia& own = loaded.body(JointIndex(i));
+      if ((i >= next && i < next_end) || own.is_massless()) continue;
+      const BodyScratch& body = ws.body(JointIndex(i));
+      sum = Combine(sum, Moved(own, X_JW * Pose{body.R, body.p}));
+    }
+    bodies.push_back(sum);
+  }
+  return bodies;
+}
+
+// Force that the limb's bodies ask of a figure in flight in the motion without torques.
+void AimedLimb::TakeFall(double mass) {
+  solve::Chain& chain = problem_.chain;
+  chain.falling_mass = mass;
+  std::vector<Vec3> sums;
+  for (int t = 0; t < start_.cols(); ++t) {
+    const solve::ChainPose pose =
+        solve::PoseOfChain(chain, t, solve::TurnsOf(problem_, start_.col(t)));
+    Vec3 sum = Vec3::Zero();
+    for (size_t k = 0; k < pose.bodies.size(); ++k) {
+      sum += chain.bodies[static_cast<size_t>(t)][k].mass * pose.bodies[k].g;
+    }
+    sums.push_back(sum);
+  }
+  chain.fall.assign(sums.size(), Vec3::Zero());
+  for (size_t t = 1; t + 1 < sums.size(); ++t) {
+    chain.fall[t] = (sums[t + 1] - 2.0 * sums[t] + sums[t - 1]) / (chain.step * chain.step);
+  }
+}
+
+// A point is asked for by a pose that brings it there: the least torques with all poses to choose
+// from come from wild swings.
+void AimedLimb::AskForPlace(const AimGoal& goal, int t) {
+  const Pose& carrier = problem_.chain.carrier[static_cast<size_t>(t)];
+  std::vector<ReachHinge> hinges;
+  for (size_t k = 0; k < hinges_.path.size(); ++k) {
+    const Joint& joint = figure_.joint(hinges_.path[k]);
+    const int at = static_cast<int>(k);
+    const bool moves = hinges_.moves[k] != 0;
+    const double now = start_(at, t);
+    hinges.push_back({joint.X_PJ, joint.axis, moves ? joint.lower : now, moves ? joint.upper : now,
+                      now, start_(at, 1)});
+    if (hinges_.path[k] == goal.joint) break;
+  }
+  const Reach reach = ReachFor(carrier, hinges, goal.offset, goal.place);
+  if (reach.distance > goal.tolerance) out_of_reach_ = {goal, reach.distance};
+  for (size_t k = 0; k < hinges.size(); ++k) {
+    if (hinges_.moves[k]) {
+      problem_.angles.push_back({t, static_cast<int>(k), reach.angles[static_cast<int>(k)]});
+    }
+  }
+}
+
+void AimedLimb::AskForGoals() {
+  const auto number = [&](JointIndex j) {
+    const auto at = std::find(hinges_.path.begin(), hinges_.path.end(), j);
+    return static_cast<int>(at - hinges_.path.begin());
+  };
+  for (const AimGoal& goal : goals_) {
+    const int t = NumberOf(goal.frame);
+    if (goal.is_point()) AskForPlace(goal, t);
+    for (const auto& [j, angle] : goal.angles) {
+      const int k = number(j);
+      if (!problem_.hinges[static_cast<size_t>(k)].moves) continue;
+      problem_.angles.push_back({t, k, angle});
+    }
+    if (!goal.rests) continue;
+    for (int k = 0; k < static_cast<int>(hinges_.path.size()); ++k) {
+      const JointIndex j = hinges_.path[static_cast<size_t>(k)];
+      const bool is_named = std::any_of(goal.angles.begin(), goal.angles.end(),
+                                        [&](const auto& angle) { return angle.first == j; });
+      const bool carries = goal.is_point() && figure_.IsBeyond(goal.joint, j);
+      if (hinges_.moves[static_cast<size_t>(k)] && (is_named || carries)) {
+        problem_.rests.push_back({t, k});
+      }
+    }
+  }
+  // The search begins with the motion without torques, bent more and more towards each goal.
+  const MatX passive = start_;
+  for (int k = 0; k < static_cast<int>(hinges_.path.size()); ++k) {
+    const solve::AimHinge& hinge = problem_.hinges[static_cast<size_t>(k)];
+    int from = 1;
+    double off = 0.0;  // there
+    for (const solve::AimAngle& asked : problem_.angles) {
+      if (asked.hinge != k) continue;
+      const double there = asked.angle - passive(k, asked.frame);
+      for (int t = from + 1; t < start_.cols(); ++t) {
+        const double s = std::min(1.0, (t - from) / static_cast<double>(asked.frame - from));
+        const double bent = passive(k, t) + off + s * s * (there - off);
+        start_(k, t) = std::clamp(bent, hinge.lower, hinge.upper);
+      }
+      from = asked.frame;
+      off = there;
+    }
+  }
+}
+
+int AimedLimb::NumberOf(double frame) const {
+  return 1 + static_cast<int>(std::lround((frame - first_) * per_frame_));
+}
+
+// Weights of the torques at the knots in the frames of the model: straight lines between knots.
+MatX AimedLimb::Weights() const {
+  MatX weights = MatX::Zero(problem_.chain.num_frames(), static_cast<int>(knots_.size()));
+  for (int t = 1; t < problem_.chain.num_frames(); ++t) {
+    const double frame = FrameOf(t);
+    for (size_t k = 0; k + 1 < knots_.size(); ++k) {
+      if (frame < knots_[k] || frame > knots_[k + 1]) continue;
+      const double s = (frame - knots_[k]) / (knots_[k + 1] - knots_[k]);
+      weights(t, static_cast<int>(k)) = 1.0 - s;
+      weights(t, static_cast<int>(k) + 1) = s;
+    }
+  }
+  if (goes_on_) weights.rightCols(1).setZero();
+  return weights;
+}
+
+void AimedLimb::Solve(double smoothness) {
+  problem_.acceleration = smoothness * solve::AimProblem().acceleration;
+  solve::AimSolver solver(problem_, start_);
+  const solve::AimedMotion found = solver.Solve();
+  iterations_ = found.report.iterations;
+  angles_ = found.angles;
+  const MatX weights = Weights();
+  changes_ = solver.ChangesWith(weights);
+  const int last = static_cast<int>(found.torques.cols()) - 2;
+  const MatX rows = weights.middleRows(1, last);
+  MatX normal = rows.transpose() * rows;
+  normal.diagonal().array() += 1e-9;
+  const Eigen::LDLT<MatX> factor(normal);
+  std::vector<double> all;
+  for (size_t k = 0; k < hinges_.path.size(); ++k) {
+    if (!hinges_.moves[k]) continue;
+    const VecX torque = found.torques.row(static_cast<int>(k)).segment(1, last).transpose();
+    const VecX keys = factor.solve(rows.transpose() * torque);
+    all.insert(all.end(), keys.data(), keys.data() + keys.size());
+  }
+  torques_ = Eigen::Map<const VecX>(all.data(), static_cast<int>(all.size()));
+}
+
+// Central differences; at the end those of the parabola through the last three frames.
+VecX AimedLimb::RatesAt(int frame) const {
+  const int t = NumberOf(frame);
+  const double h = problem_.chain.step;
+  if (t + 1 < angles_.cols()) return (angles_.col(t + 1) - angles_.col(t - 1)) / (2.0 * h);
+  return (1.5 * angles_.col(t) - 2.0 * angles_.col(t - 1) + 0.5 * angles_.col(t - 2)) / h;
+}
+
+MatX AimedLimb::RateChange(int frame) const {
+  const int t = NumberOf(frame);
+  const double h = problem_.chain.step;
+  if (t + 1 < angles_.cols()) return (ChangeOf(t + 1) - ChangeOf(t - 1)) / (2.0 * h);
+  return (1.5 * ChangeOf(t) - 2.0 * ChangeOf(t - 1) + 0.5 * ChangeOf(t - 2)) / h;
+}
+
+MatX AimedLimb::ChangeOf(int t) const {
+  const MatX& all = changes_[static_cast<size_t>(t)];
+  const int count = static_cast<int>(knots_.size());
+  MatX change(all.rows(), torques_.size());
+  int to = 0;
+  for (size_t k = 0; k < hinges_.path.size(); ++k) {
+    if (!hinges_.moves[k]) continue;
+    change.middleCols(to, count) = all.middleCols(static_cast<int>(k) * count, count);
+    to += count;
+  }
+  return change;
+}
+
+}  // namespace hazumi::makers

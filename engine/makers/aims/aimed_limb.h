@@ -1,0 +1,80 @@
+#pragma once
+
+// Internal. A limb of a region that is aimed: a model of it, the motion with which that arrives,
+// and the torques that the motion asks for.
+
+#include <optional>
+#include <vector>
+
+#include "engine/makers/aims/aimed_paths.h"
+#include "engine/solve/aim_solver.h"
+
+namespace hazumi::makers {
+
+class AimedLimb {
+ public:
+  // `motion`: of the animation without the torques that are looked for, up to the last goal.
+  AimedLimb(AimedHinges hinges, const DynamicsRegion& region, std::vector<AimGoal> goals,
+            double most, const Animation& animation, const Motion& motion);
+  AimedLimb(const AimedLimb&) = delete;
+  AimedLimb& operator=(const AimedLimb&) = delete;
+
+  // `smoothness`: how many times as much angular acceleration counts as usual.
+  void Solve(double smoothness);
+
+  const AimedHinges& hinges() const { return hinges_; }
+  const std::vector<AimGoal>& goals() const { return goals_; }
+  // Frames of its torque keys.
+  const std::vector<int>& knots() const { return knots_; }
+  // Torques at the knots, hinge by hinge of those that move [N m].
+  const VecX& torques() const { return torques_; }
+  // Torque of a hinge that counts as 1, by number of torques() [N m].
+  const VecX& strengths() const { return strengths_; }
+  // Angles [rad] and rates [rad/s] of the path as the model has them, by frame of the animation,
+  // and their derivatives by torques() [rad / N m, rad/s / N m].
+  VecX AnglesAt(int frame) const { return angles_.col(NumberOf(frame)); }
+  VecX RatesAt(int frame) const;
+  MatX AngleChange(int frame) const { return ChangeOf(NumberOf(frame)); }
+  MatX RateChange(int frame) const;
+  int iterations() const { return iterations_; }
+  // A goal whose place no pose of the limb brings its point to, and how far off it stays.
+  struct OutOfReach {
+    AimGoal goal;
+    double distance = 0.0;  // [m]
+  };
+  const std::optional<OutOfReach>& out_of_reach() const { return out_of_reach_; }
+
+ private:
+  void BuildChain(const DynamicsRegion& region, double most);
+  void AddFrames();
+  std::vector<int> GoalFrames() const;
+  std::vector<RigidInertia> BodiesAt(int frame, double* mass) const;
+  void TakeFall(double mass);
+  void TakeStrengths();
+  void AskForGoals();
+  void AskForPlace(const AimGoal& goal, int t);
+  MatX StartAngles() const;
+  double FrameOf(int t) const { return first_ + (t - 1) / static_cast<double>(per_frame_); }
+  int NumberOf(double frame) const;
+  MatX Weights() const;
+  MatX ChangeOf(int t) const;
+
+  const Animation& animation_;
+  const Figure& figure_;
+  const Motion& motion_;
+  AimedHinges hinges_;
+  std::vector<AimGoal> goals_;
+  int first_ = 0, last_ = 0;  // frames of the animation: the start, the last goal
+  bool goes_on_ = false;      // the region does, behind the last goal
+  int per_frame_ = 1;
+  std::vector<int> knots_;
+  solve::AimProblem problem_;
+  MatX start_;                 // angles, hinges x frames of the chain
+  MatX angles_;                // as solved
+  std::vector<MatX> changes_;  // of the angles with the torques at the knots, by frame
+  VecX torques_, strengths_;
+  int iterations_ = 0;
+  std::optional<OutOfReach> out_of_reach_;
+};
+
+}  // namespace hazumi::makers

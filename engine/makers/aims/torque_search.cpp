@@ -1,0 +1,394 @@
+// The model of a limb gives torques u, a path, and S, the derivative of the path by the torques.
+// The model is not exact, and an arm that is thrown is sensitive, so the baked motion leaves the
+// path. The torques are corrected key by key. With r, the misses of the angles and rates at a key
+// in tolerances, and shares of strength x = u / strength, the least change of the torques at the
+// two keys around the interval is
+//
+//   dx = -S^T (S S^T + mu diag(S S^T))^-1 r
+//
+// In the frame of a goal, r are the misses of the goal. The last three keys are corrected, then the
+// last six, then all, with the earlier goals in r. After each bake S takes in what the change did
+// [Broyden 1965]:
+//
+//   S += (dr - S dx) dx^T / (dx^T dx)
+
+#include "engine/makers/aims/torque_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "engine/base/text.h"
+#include "engine/dynamics/kinematics.h"
+#include "engine/makers/aims/aimed_limb.h"
+#include "engine/makers/aims/aimed_paths.h"
+#include "engine/makers/trial_bakes.h"
+#include "engine/spatial/degrees.h"
+
+namespace hazumi::makers {
+
+namespace {
+
+constexpr double kMostWork = 1e7;  // of bakes
+constexpr int kLastKeys = 3;       // corrected first for a goal
+
+// How misses are corrected.
+struct Correction {
+  int most_trials = 12;
+  double enough = 0.5;    // largest miss that is left, in tolerances
+  double damping = 1e-8;  // mu at least
+};
+constexpr Correction kOfPath = {2, 3.0, 1e-4}, kOfPathAtGoal = {1, 1.0, 1e-4}, kOfGoal = {};
+constexpr double kMostDamping = 1.0;
+constexpr double kPathAngle = 1.0 * kDegree, kPathRate = 30.0 * kDegree;  // [rad, rad/s]
+
+// Angle or rate that a hinge has to have in a frame.
+struct Asked {
+  int frame = 0;
+  JointIndex hinge;
+  bool is_rate = false;
+  double value = 0.0, tolerance = 1.0;
+};
+
+class TorqueSearch {
+ public:
+  TorqueSearch(const TorqueAim& aim, const Animation& animation, const std::atomic<bool>* cancel)
+      : aim_(aim),
+        trial_(animation),
+        figure_(*animation.figure),
+        cancel_(cancel),
+        drives_(region().drives) {
+    for (const AimGoal& goal : aim.goals) last_ = std::max(last_, goal.frame);
+  }
+
+  Result<FoundTorques> Find() {
+    paths_ = PathsOf(aim_.goals, region(), figure_);
+    if (const auto error = BakeTo(last_, VecX())) return *error;
+    if (AreMet()) return Finish(VecX());
+    for (const AimedHinges& hinges : paths_) {
+      limbs_.push_back(std::make_unique<AimedLimb>(hinges, region(), GoalsOf(hinges, aim_.goals),
+                                                   aim_.most, trial_, *motion_));
+      if (limbs_.back()->out_of_reach()) return OutOfReach(*limbs_.back()->out_of_reach());
+    }
+    VecX best;
+    double least = std::numeric_limits<double>::infinity();
+    // Another motion may arrive where one does not.
+    for (const double smoothness : {1.0, 4.0, 0.25}) {
+      VecX u = Model(smoothness);
+      if (best.size() == 0) best = u;
+      auto failed = Follow(&u);
+      if (!failed) failed = BakeTo(last_, u);
+      if (failed && failed->code == ErrorCode::kInterrupted) return *failed;
+      const double miss = failed ? least : Largest(GoalMisses(last_, true));
+      if (miss < least) best = u;
+      least = std::min(miss, least);
+      if ((!failed && AreMet()) || IsTooMuch()) break;
+    }
+    if (const auto error = BakeTo(last_, best)) return *error;
+    return Finish(best);
+  }
+
+ private:
+  static Error Interrupted() { return {ErrorCode::kInterrupted, "", "", "interrupted"}; }
+  Error OutOfReach(const AimedLimb::OutOfReach& out) const {
+    const JointGroup& group = figure_.group(figure_.joint(out.goal.joint).group);
+    return {ErrorCode::kSemantics, "", "goal",
+            "\"" + out.goal.name + "\" is out of reach in frame " + std::to_string(out.goal.frame) +
+                ": " + group.name + " comes no nearer than " + FormatShort(100.0 * out.distance) +
+                " cm"};
+  }
+  bool IsTooMuch() const { return bakes_.work() > kMostWork; }
+  DynamicsRegion& region() { return trial_.regions[aim_.region]; }
+
+  bool AreMet() {
+    return std::all_of(aim_.goals.begin(), aim_.goals.end(), [&](const AimGoal& goal) {
+      return MissOf(goal, region(), figure_, *motion_).IsMet(goal);
+    });
+  }
+
+  // Torques of the model.
+  VecX Model(double smoothness) {
+    std::vector<double> all, strengths;
+    for (const auto& limb : limbs_) {
+      limb->Solve(smoothness);
+      found_.iterations += limb->iterations();
+      const VecX &u = limb->torques(), &strength = limb->strengths();
+      all.insert(all.end(), u.data(), u.data() + u.size());
+      strengths.insert(strengths.end(), strength.data(), strength.data() + strength.size());
+    }
+    scale_ = Eigen::Map<const VecX>(strengths.data(), static_cast<int>(strengths.size()));
+    return Eigen::Map<const VecX>(all.data(), static_cast<int>(all.size()));
+  }
+
+  void Put(const VecX& u) {
+    region().drives = drives_;
+    torques_.clear();
+    int at = 0;
+    for (const auto& limb : limbs_) {
+      if (u.size() == 0) break;
+      for (size_t k = 0; k < limb->hinges().path.size(); ++k) {
+        if (!limb->hinges().moves[k]) continue;
+        Drive drive;
+        drive.kind = DriveKind::kTorque;
+        drive.joints = {limb->hinges().path[k]};
+        for (const int frame : limb->knots()) {
+          Key key;
+          key.frame = frame;
+          key.value = u[at++];
+          key.interpolation = Interpolation::kLinear;
+          drive.torque.push_back(key);
+        }
+        if (limb->knots().back() < region().last_frame) drive.torque.back().value = 0.0;
+        torques_.push_back({drive.joints[0], drive.torque});
+        region().drives.push_back(std::move(drive));
+      }
+    }
+  }
+
+  std::optional<Error> BakeTo(int frame, const VecX& u) {
+    if (cancel_ && cancel_->load(std::memory_order_relaxed)) return Interrupted();
+    if (!u.allFinite()) return Error{ErrorCode::kFailed, "", "", "no torques were found"};
+    Put(u);
+    ++found_.bakes;
+    const Result<const Motion*> motion = bakes_.BakeTo(frame, trial_);
+    if (!motion.ok()) return motion.error();
+    motion_ = motion.value();
+    return std::nullopt;
+  }
+
+  // Misses in tolerances.
+  VecX MissesOf(const std::vector<Asked>& rows) const {
+    VecX misses(static_cast<int>(rows.size()));
+    int i = 0;
+    for (const Asked& asked : rows) {
+      const MotionLimit& at = ArrivalAt(asked.frame, *motion_);
+      const int j = asked.hinge.value();
+      misses[i++] = ((asked.is_rate ? at.qd[j] : at.q[j]) - asked.value) / asked.tolerance;
+    }
+    return misses;
+  }
+
+  // Goals in a frame, or up to it.
+  std::vector<const AimGoal*> GoalsAt(int frame, bool with_earlier) const {
+    std::vector<const AimGoal*> goals;
+    for (const AimGoal& goal : aim_.goals) {
+      if (goal.frame == frame || (with_earlier && goal.frame < frame)) goals.push_back(&goal);
+    }
+    return goals;
+  }
+
+  std::vector<Asked> RowsOf(const std::vector<const AimGoal*>& goals) {
+    std::vector<Asked> rows;
+    for (const AimGoal* goal : goals) {
+      for (const auto& [j, angle] : goal->angles) {
+        rows.push_back({goal->frame, j, false, angle, goal->tolerance});
+      }
+      for (const JointIndex j : RestingHinges(*goal, region(), figure_)) {
+        rows.push_back({goal->frame, j, true, 0.0, kRestRate});
+      }
+    }
+    return rows;
+  }
+
+  // Misses of goals: of angles and rates, then of points.
+  VecX GoalMisses(int frame, bool with_earlier) {
+    const std::vector<const AimGoal*> goals = GoalsAt(frame, with_earlier);
+    VecX misses = MissesOf(RowsOf(goals));
+    for (const AimGoal* goal : goals) {
+      if (!goal->is_point()) continue;
+      const Vec3 point = PointOf(*goal, ArrivalAt(goal->frame, *motion_), figure_);
+      misses.conservativeResize(misses.size() + 3);
+      misses.tail(3) = (point - goal->place) / goal->tolerance;
+    }
+    return misses;
+  }
+
+  // Derivatives of misses by torques in shares of strengths, as the model has them.
+  MatX ChangesOf(const std::vector<Asked>& rows) const {
+    MatX changes(static_cast<int>(rows.size()), scale_.size());
+    int i = 0;
+    for (const Asked& asked : rows) {
+      changes.row(i++) =
+          ChangeOf(asked.frame, asked.is_rate).row(asked.hinge.value()) / asked.tolerance;
+    }
+    return changes * scale_.asDiagonal();
+  }
+
+  MatX GoalChanges(int frame, bool with_earlier) {
+    const std::vector<const AimGoal*> goals = GoalsAt(frame, with_earlier);
+    MatX all = ChangesOf(RowsOf(goals));
+    DynamicsWorkspace ws(figure_);
+    for (const AimGoal* goal : goals) {
+      if (!goal->is_point()) continue;
+      const MatX change = ChangeOf(goal->frame, false) * scale_.asDiagonal();
+      const MotionLimit& at = ArrivalAt(goal->frame, *motion_);
+      ComputePositions(figure_, at.X_WR, at.q, &ws);
+      const Vec3 p = ws.body(goal->joint).p + ws.body(goal->joint).R * goal->offset;
+      MatX longer = MatX::Zero(all.rows() + 3, all.cols());
+      longer.topRows(all.rows()) = all;
+      for (JointIndex j = goal->joint; j.is_valid(); j = figure_.joint(j).parent) {
+        const Vec3 lever = ws.body(j).axis.cross(p - ws.body(j).p) / goal->tolerance;
+        longer.bottomRows(3) += lever * change.row(j.value());
+      }
+      all = std::move(longer);
+    }
+    return all;
+  }
+
+  // Changes of all hinges of the figure by all torques; limbs do not feel each other.
+  MatX ChangeOf(int frame, bool is_rate) const {
+    MatX all = MatX::Zero(figure_.num_joints(), scale_.size());
+    int at = 0;
+    for (const auto& limb : limbs_) {
+      const int count = static_cast<int>(limb->torques().size());
+      if (frame <= limb->knots().back()) {
+        const MatX change = is_rate ? limb->RateChange(frame) : limb->AngleChange(frame);
+        for (size_t k = 0; k < limb->hinges().path.size(); ++k) {
+          all.block(limb->hinges().path[k].value(), at, 1, count) = change.row(static_cast<int>(k));
+        }
+      }
+      at += count;
+    }
+    return all;
+  }
+
+  // Path of the limbs that have a key in a frame.
+  std::vector<Asked> PathAt(int frame) const {
+    std::vector<Asked> rows;
+    for (const auto& limb : limbs_) {
+      if (!std::binary_search(limb->knots().begin(), limb->knots().end(), frame)) continue;
+      const VecX angles = limb->AnglesAt(frame), rates = limb->RatesAt(frame);
+      for (size_t k = 0; k < limb->hinges().path.size(); ++k) {
+        if (!limb->hinges().moves[k]) continue;
+        const JointIndex j = limb->hinges().path[k];
+        rows.push_back({frame, j, false, angles[static_cast<int>(k)], kPathAngle});
+        rows.push_back({frame, j, true, rates[static_cast<int>(k)], kPathRate});
+      }
+    }
+    return rows;
+  }
+
+  // Numbers of the torques at the last few keys up to a frame, behind another one, of each hinge of
+  // the limbs that have a goal there or later.
+  std::vector<int> TorquesBefore(int frame, int behind, int keys) const {
+    std::vector<int> numbers;
+    int at = 0;
+    for (const auto& limb : limbs_) {
+      const auto& knots = limb->knots();
+      const int count =
+          static_cast<int>(std::upper_bound(knots.begin(), knots.end(), frame) - knots.begin());
+      const int end = at + static_cast<int>(limb->torques().size());
+      for (; at < end; at += static_cast<int>(knots.size())) {
+        for (int k = std::max(0, count - keys); k < count && frame <= knots.back(); ++k) {
+          if (knots[static_cast<size_t>(k)] > behind) numbers.push_back(at + k);
+        }
+      }
+    }
+    return numbers;
+  }
+
+  // Corrects torques of some numbers until the misses at a frame are small enough. A trial that
+  // cannot be baked counts as a step too far.
+  template <typename Misses>
+  std::optional<Error> Correct(int frame, const std::vector<int>& numbers, MatX S,
+                               const Correction& how, Misses misses, VecX* u) {
+    if (numbers.empty()) return std::nullopt;
+    if (auto error = BakeTo(frame, *u)) return error;
+    VecX r = misses();
+    double damping = how.damping;
+    for (int trial = 0; trial < how.most_trials && !IsTooMuch(); ++trial) {
+      if (Largest(r) <= how.enough || damping > kMostDamping) break;
+      MatX A = S * S.transpose();
+      A.diagonal() *= 1.0 + damping;
+      const VecX dx = -S.transpose() * A.ldlt().solve(r);
+      if (!dx.allFinite() || !(dx.squaredNorm() > 0.0)) break;
+      VecX next = *u;
+      for (size_t i = 0; i < numbers.size(); ++i) {
+        next[numbers[i]] += scale_[numbers[i]] * dx[static_cast<int>(i)];
+      }
+      auto failed = BakeTo(frame, next);
+      if (failed && failed->code == ErrorCode::kInterrupted) return failed;
+      if (!failed) {
+        const VecX there = misses();
+        S += (there - r - S * dx) * dx.transpose() / dx.squaredNorm();
+        if (there.norm() < r.norm()) {
+          *u = next;
+          r = there;
+          damping = std::max(damping / 10.0, how.damping);
+          continue;
+        }
+      }
+      damping *= 100.0;
+    }
+    return BakeTo(frame, *u);
+  }
+
+  // Corrects the torques from key to key along the path, and onto each goal. Keys up to a goal
+  // that is met stay.
+  std::optional<Error> Follow(VecX* u) {
+    std::set<int> frames;
+    for (const auto& limb : limbs_) frames.insert(limb->knots().begin() + 1, limb->knots().end());
+    int met = std::numeric_limits<int>::min();
+    for (const int frame : frames) {
+      const bool is_goal = !GoalsAt(frame, false).empty();
+      const std::vector<Asked> rows = PathAt(frame);
+      const std::vector<int> numbers = TorquesBefore(frame, met, 2);
+      if (auto error = Correct(
+              frame, numbers, ChangesOf(rows)(Eigen::all, numbers),
+              is_goal ? kOfPathAtGoal : kOfPath, [&] { return MissesOf(rows); }, u)) {
+        return error;
+      }
+      if (!is_goal) continue;
+      for (const int keys : {kLastKeys, 2 * kLastKeys, std::numeric_limits<int>::max()}) {
+        // All keys: with the goals before.
+        const bool are_all = keys == std::numeric_limits<int>::max();
+        const std::vector<int> last =
+            TorquesBefore(frame, are_all ? std::numeric_limits<int>::min() : met, keys);
+        const auto misses = [&] { return GoalMisses(frame, are_all); };
+        if (auto error = Correct(frame, last, GoalChanges(frame, are_all)(Eigen::all, last),
+                                 kOfGoal, misses, u)) {
+          return error;
+        }
+        if (Largest(GoalMisses(frame, true)) <= kOfGoal.enough) break;
+      }
+      met = frame;
+    }
+    return std::nullopt;
+  }
+
+  static double Largest(const VecX& r) { return r.size() ? r.cwiseAbs().maxCoeff() : 0.0; }
+
+  FoundTorques Finish(const VecX& u) {
+    Put(u);
+    found_.torques = torques_;
+    return found_;
+  }
+
+  const TorqueAim& aim_;
+  Animation trial_;
+  const Figure& figure_;
+  const std::atomic<bool>* cancel_;
+  std::vector<Drive> drives_;  // of the region, without those that are looked for
+  TrialBakes bakes_;
+  const Motion* motion_ = nullptr;
+  int last_ = 0;
+  std::vector<AimedHinges> paths_;
+  std::vector<std::unique_ptr<AimedLimb>> limbs_;
+  VecX scale_;  // strengths
+  std::vector<HingeTorque> torques_;
+  FoundTorques found_;
+};
+
+}  // namespace
+
+Result<FoundTorques> FindTorques(const TorqueAim& aim, const Animation& animation,
+                                 const std::atomic<bool>* cancel) {
+  return TorqueSearch(aim, animation, cancel).Find();
+}
+
+}  // namespace hazumi::makers
