@@ -15,6 +15,7 @@ std::vector<Operator> FigureOperators();
 std::vector<Operator> FlightOperators();
 std::vector<Operator> FillOperators();
 std::vector<Operator> ForceOperators();
+std::vector<Operator> GoalOperators();
 std::vector<Operator> HeldObjectOperators();
 std::vector<Operator> HolderOperators();
 std::vector<Operator> ImportOperators();
@@ -45,14 +46,15 @@ namespace {
 std::vector<Operator> Collect() {
   std::vector<Operator> all;
   for (const auto& operators :
-       {&ConstraintOperators, &DriveOperators,       &ExportOperators,       &FieldOperators,
-        &FigureOperators,     &FlightOperators,      &FillOperators,         &ForceOperators,
-        &HeldObjectOperators, &HolderOperators,      &ImportOperators,       &JointStateOperators,
-        &JumpOperators,       &KeyOperators,         &KeySelectionOperators, &MediaOperators,
-        &ObjectOperators,     &PlacementOperators,   &PoseOperators,         &PoseBlendOperators,
-        &ReachOperators,      &RegionOperators,      &RegionJointOperators,  &RootOperators,
-        &SceneOperators,      &SelectedKeyOperators, &SelectionSetOperators, &SessionOperators,
-        &StartRateOperators,  &SwivelOperators,      &ThrowOperators,        &TimeOperators}) {
+       {&ConstraintOperators, &DriveOperators,      &ExportOperators,      &FieldOperators,
+        &FigureOperators,     &FlightOperators,     &FillOperators,        &ForceOperators,
+        &GoalOperators,       &HeldObjectOperators, &HolderOperators,      &ImportOperators,
+        &JointStateOperators, &JumpOperators,       &KeyOperators,         &KeySelectionOperators,
+        &MediaOperators,      &ObjectOperators,     &PlacementOperators,   &PoseOperators,
+        &PoseBlendOperators,  &ReachOperators,      &RegionOperators,      &RegionJointOperators,
+        &RootOperators,       &SceneOperators,      &SelectedKeyOperators, &SelectionSetOperators,
+        &SessionOperators,    &StartRateOperators,  &SwivelOperators,      &ThrowOperators,
+        &TimeOperators}) {
     const std::vector<Operator> of_file = operators();
     all.insert(all.end(), of_file.begin(), of_file.end());
   }

@@ -54,6 +54,27 @@ TEST_F(Acting, AConstraintIsOpenUntilItsGapIsClosedAndThenPulls) {
   EXPECT_TRUE(Marks(25).empty());
 }
 
+TEST_F(Acting, AGoalIsSeenInTheSecondBeforeIt) {
+  Do("goal.add", {{"kind", "point"},
+                  {"name", "bell"},
+                  {"frame", 20},
+                  {"joint", "r_wrist"},
+                  {"position_x", 0.4},
+                  {"position_y", -0.2},
+                  {"position_z", 1.1}});
+  const auto marks = [&](int frame) {
+    Do("time.frame", {{"frame", frame}});
+    return ui::GoalMarks(user.project(), *ui::PoseNow(&user.session()));
+  };
+  EXPECT_TRUE(marks(21).empty());
+  const std::vector<ui::GoalMark> before = marks(16), there = marks(20);
+  ASSERT_EQ(before.size(), 1u);
+  EXPECT_LT((before[0].place - Vec3(0.4, -0.2, 1.1)).norm(), 1e-12);
+  EXPECT_EQ(ui::TextOf(before[0], user.project()), "bell: in 4 frames");
+  EXPECT_LT((there[0].point - Wrist()).norm(), 1e-9);
+  EXPECT_TRUE(ui::TextOf(there[0], user.project()).ends_with(" cm off"));
+}
+
 TEST_F(Acting, ABrokenConstraintSaysSo) {
   Do("constraint.set", {{"constraint", "grip"}, {"break_force", 1.0}});
   const std::vector<ui::ConstraintMark> marks = Marks(20);

@@ -58,6 +58,29 @@ TEST_F(Throwing, TThrowsTheBallOntoTheSpotUnderTheMouseInOneStep) {
   EXPECT_LE((motion.value()->frames.back().objects[0].X_WO.p - spot).head<2>().norm(), 0.03);
 }
 
+// A hand on a box in frame 12: the joint, the frame, the tool, the spot.
+TEST_F(Objects, AHandReachesTheSpotUnderTheMouseInTheFrameShown) {
+  Do("object.add_box", {{"name", "button"},
+                        {"x", 0.45},
+                        {"y", -0.25},
+                        {"z", 1.0},
+                        {"size_x", 0.2},
+                        {"size_y", 0.2},
+                        {"size_z", 0.2}});
+  Do("select.joints", {{"joints", {"r_wrist"}}});
+  Do("time.frame", {{"frame", 12}});
+  const Vec3 spot(0.4, -0.25, 1.1);
+  const size_t steps = user.num_steps();
+  Do("tool.aim", edit::Json::object());
+  user.MoveTo(InWindow(spot));
+  user.MoveTo(InWindow(spot));
+  user.Click(InWindow(spot));
+  EXPECT_EQ(user.num_steps(), steps + 1) << user.editor().message.text;
+  ASSERT_EQ(user.project().goals.size(), 1u);
+  EXPECT_TRUE(user.editor().message.text.starts_with("Arrives")) << user.editor().message.text;
+  EXPECT_LT((user.project().goals[0].position_m - spot).norm(), 0.05);
+}
+
 // From nothing but a ball in a hand.
 TEST_F(Objects, TMakesAThrowOfWhatAHandHolds) {
   Do("held.add_ball", {{"joint", "r_wrist"}});

@@ -23,6 +23,8 @@ Result<Done> ChangeDrive(Session* session, const Parameters& p, const char* labe
       return Refusal("number", "\"" + region->name + "\" has " + std::to_string(count) +
                                    " drives, counted from 0");
     }
+    // A drive that the animator touches is his: no aim finds it anew.
+    region->drives[number].solved_by.clear();
     return action(region, number);
   });
 }
@@ -50,12 +52,16 @@ void LeaveOutRoot(const Figure& figure, std::vector<JointRef>* refs) {
 // Resets fields that the file does not say of this kind: a project that is opened again has to be
 // the same.
 void DropHidden(ProjectDrive* drive) {
-  if (drive->kind != DriveKind::kTorque) drive->torque = {};
+  if (drive->kind != DriveKind::kTorque) {
+    drive->torque = {};
+    drive->solved_by.clear();
+  }
   if (drive->kind == DriveKind::kSpring) return;
   ProjectDrive kept;
   kept.kind = drive->kind;
   kept.joints = std::move(drive->joints);
   kept.torque = std::move(drive->torque);
+  kept.solved_by = drive->solved_by;
   kept.extra = std::move(drive->extra);
   kept.identity = drive->identity;
   *drive = std::move(kept);

@@ -4,6 +4,7 @@
 
 #include "engine/exchange/import/changed_role.h"
 #include "engine/figure/figure_bone.h"
+#include "engine/makers/aims/aims.h"
 #include "engine/makers/fills/fills.h"
 #include "engine/project/enum_names.h"
 #include "engine/project/figure_editor.h"
@@ -81,6 +82,8 @@ Result<Done> SetRole(Session* session, const Parameters& p) {
   Result<Done> done = session->Edit("Change role", [&](Project* project) {
     // Fills make their keys anew, for the new hinges.
     if (!project->fills.empty()) makers::RemoveGeneratedKeys(project);
+    // Torques of aims are of hinges by name, which may change: they are found anew.
+    for (ProjectRegion& region : project->regions) makers::LetLoose(&region);
     return ChangeRole(p.text("joint"), place, project);
   });
   if (done.ok()) SelectAgain(selected, session);

@@ -226,6 +226,9 @@ template <typename Item>
 std::vector<MenuEntry> MoreEntries(ItemKind<Item>) {
   return {};
 }
+std::vector<MenuEntry> MoreEntries(ItemKind<ProjectGoal>) {
+  return {{"tool.aim"}, {"goal.aim"}, {"goal.reach"}, {"goal.let_loose"}};
+}
 std::vector<MenuEntry> MoreEntries(ItemKind<ProjectConstraint>) {
   return {{"tool.hold_on"}, {"constraint.hold_on"}};
 }

@@ -96,6 +96,17 @@ bool DrawHeadingOf(const Editor& editor, const char* title, const Items& items) 
   return DrawHeading(title, !items.empty());
 }
 
+// Draws buttons of operators that do something with an item. Returns whether one of them ran.
+template <typename Item>
+bool DrawDeeds(Editor*, const Item&) {
+  return false;
+}
+bool DrawDeeds(Editor* editor, const ProjectGoal& goal) {
+  const bool is_wanted = DrawButton(LabelOf("goal.aim"), HelpOf("goal.aim"));
+  if (is_wanted) editor->Do("goal.aim", {{"goal", goal.name}});
+  return is_wanted;
+}
+
 // Draws buttons for fields that an item may leave out. Returns whether one of them changed it.
 template <typename Item>
 bool DrawOffers(const Item&, const SetItem&) {
@@ -136,7 +147,8 @@ void DrawItem(Editor* editor, const Item& item, const char* remove) {
   if (ObjectNode(editor, item.name, item.identity.id)) {
     const SetItem set = SetBy(editor, ItemKind<Item>::kSet, named);
     DrawFieldRows(editor, item, {}, set);
-    if (!DrawOffers(item, set) && DrawButton(Tr("Remove"), HelpOf(remove))) {
+    if (!DrawDeeds(editor, item) && !DrawOffers(item, set) &&
+        DrawButton(Tr("Remove"), HelpOf(remove))) {
       editor->Do(remove, named);
     }
   }

@@ -64,6 +64,20 @@ void Draw(const Editor& editor, const View& view, const ForceMark& mark) {
                  TextOf(mark).c_str());
 }
 
+// A ring around the place, and a line to it from the point that is to be there.
+void Draw(const Editor& editor, const View& view, const GoalMark& mark) {
+  const auto point = view.ToWindow(mark.point), place = view.ToWindow(mark.place);
+  if (!point || !place) return;
+  const ImU32 color = ToIm(colors::kGoal), edge = ToIm(colors::kShade, 0.8f);
+  const float width = Px(editor, 2.0), radius = Px(editor, 7.0);
+  DrawDashedLine(*point, *place, color, width);
+  Canvas()->AddCircle(ToIm(*place), radius, edge, 24, 2.0f * width);
+  Canvas()->AddCircle(ToIm(*place), radius, color, 24, width);
+  Canvas()->AddCircleFilled(ToIm(*place), Px(editor, 2.5), color, 16);
+  DrawShadedText({place->x + 1.5f * radius, place->y - ImGui::GetTextLineHeight()},
+                 TextOf(mark, editor.session().project()).c_str());
+}
+
 // None while they are hidden, or nothing is known of the motion.
 std::vector<ConstraintMark> MarksNow(Editor* editor, const PosedFigure& figure) {
   edit::Session& session = editor->session();
@@ -86,6 +100,9 @@ void DrawActing(Editor* editor, const View& view, const PosedFigure& figure) {
   const Project& project = editor->session().project();
   DrawContacts(editor, view, figure);
   for (const ForceMark& mark : ForcesNow(editor, figure)) Draw(*editor, view, mark);
+  if (editor->viewport.overlays.forces) {
+    for (const GoalMark& mark : GoalMarks(project, figure)) Draw(*editor, view, mark);
+  }
   const std::optional<BarRef> chosen = ChosenBar(project, editor->sheet);
   for (const ConstraintMark& mark : MarksNow(editor, figure)) {
     Draw(*editor, view, mark, chosen == BarRef{BarKind::kConstraint, mark.index});

@@ -168,6 +168,12 @@ std::vector<Action> ObjectActions() {
        "a dynamics region moves the arm as it lets go, aims it. How high it rises may be typed.",
        {},
        [](Editor* editor, const edit::Parameters&) { return TakeThrowTool(editor); }},
+      {"tool.aim",
+       "Reach what is clicked",
+       "The tip of the selected joint's limb reaches the spot under the mouse in the current "
+       "frame, by its inertia and as little muscle as possible.",
+       {},
+       [](Editor* editor, const edit::Parameters&) { return TakeAimTool(editor); }},
       {"tool.hold_on",
        "Hold on to what is clicked",
        "The selected joint takes hold of what is clicked, an object, the ground or another joint, "

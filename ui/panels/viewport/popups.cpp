@@ -44,6 +44,7 @@ Items JointItems(const edit::Session& session) {
            {"span.hold"},
            {"span.pin"},
            {"tool.hold_on"},
+           {"tool.aim"},
            {"held.add_ball"}},
           {{"select.mirror"}, {"joint.hide"}, {"joint.lock"}},
           {{"view.frame_selected"}, {"view.properties", {{"section", "pose"}}, "Properties"}}};

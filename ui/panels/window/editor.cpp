@@ -156,6 +156,24 @@ void Editor::SayFilled(const std::string& id) {
   Say(text);
 }
 
+AimAnswer AnswerOf(const edit::Session& session) {
+  const auto measured = [&](const char* name) {
+    const auto* value = FindNamed(session.outcome().measured, name);
+    return value ? value->value : 0.0;
+  };
+  if (measured("loose") > 0.0) return {Tr("Arrives by itself, without muscle.")};
+  const double muscle = measured("muscle");
+  if (muscle == 0.0) return {Tr("Arrives.")};
+  const std::string joint =
+      session.figure().joint(JointIndex(static_cast<int>(measured("strongest")))).name;
+  const char* text = muscle > 1.0
+                         ? "Arrives, but asks for %s %% of what muscles can give (%s, F%d)."
+                         : "Arrives with %s %% of what muscles can give, at most (%s, F%d).";
+  return {Filled(Tr(text), FormatShort(100.0 * muscle).c_str(), joint.c_str(),
+                 static_cast<int>(measured("strongest_at"))),
+          muscle > 1.0};
+}
+
 // A key that was made while a region moves its joint is not seen there: who wonders why is told.
 void Editor::SayIfSwung(const std::string& id, const Json& parameters) {
   constexpr const char* kPosing[] = {"key.insert", "key.set",     "pose.clear", "pose.paste",
@@ -211,6 +229,10 @@ void Editor::Note(const std::string& id, const Json& parameters) {
   KeepAgreement(id, parameters);
   SayIfSwung(id, parameters);
   SayFilled(id);
+  if (id == "goal.aim" || id == "goal.reach") {
+    const AimAnswer answer = AnswerOf(session_);
+    Say(answer.text, answer.is_caution);
+  }
   FrameNewDocument(this);
   CloseSweepOfOther(this);
   if (id == "time.range" && !parameters.contains("drag")) Do("sheet.frame_all");

@@ -145,4 +145,11 @@ class Editor {
   std::string glyphs_;
 };
 
+// Result of an aim: how much muscle it takes, and where most.
+struct AimAnswer {
+  std::string text;
+  bool is_caution = false;  // it asks for more than muscles can give
+};
+AimAnswer AnswerOf(const edit::Session& session);
+
 }  // namespace hazumi::ui

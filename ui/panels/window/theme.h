@@ -24,6 +24,7 @@ inline constexpr SrgbColor kExtreme = render::FromHex(0xe0708c);
 inline constexpr SrgbColor kJitter = render::FromHex(0x5fbf5a);
 inline constexpr SrgbColor kMovingHold = render::FromHex(0x6a6a6a);
 inline constexpr SrgbColor kGenerated = render::FromHex(0x3fb58c);  // by a fill
+inline constexpr SrgbColor kGoal = render::FromHex(0xf08cd0);       // what is to come true
 inline constexpr SrgbColor kSelected = render::FromHex(0xffbe33);
 inline constexpr SrgbColor kAxisX = render::FromHex(0xff3352);
 inline constexpr SrgbColor kAxisY = render::FromHex(0x8bdc00);

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <map>
 
+#include "engine/makers/aims/aims.h"
 #include "engine/makers/jumps/jumps.h"
 #include "tests/unit/edit/random/drives_of_regions.h"
 #include "tests/unit/edit/random/held_by_hands.h"
@@ -234,6 +235,30 @@ void KeepToCurves(Random* random, Json* parameters) {
   (*parameters)["values"] = values;
 }
 
+// Goals that a region can meet.
+std::vector<ProjectGoal> Aimable(const Session& session) {
+  std::vector<ProjectGoal> goals;
+  for (const ProjectGoal& goal : session.project().goals) {
+    if (makers::RegionOf(goal, session.figure(), session.project())) goals.push_back(goal);
+  }
+  return goals;
+}
+
+// A new goal is where a region ends, and a hand is what reaches.
+void KeepToGoal(const std::string& id, const Session& session, Random* random, Json* parameters) {
+  const auto& regions = session.project().regions;
+  if (id == "goal.aim" && !Aimable(session).empty()) {
+    (*parameters)["goal"] = OneOf(Aimable(session), random).name;
+  }
+  if (id == "goal.add" && !regions.empty()) {
+    (*parameters)["frame"] = OneOf(regions, random).last_frame;
+  }
+  if (id != "goal.reach" || !session.figure().FindGroup("r_wrist")) return;
+  (*parameters)["joint"] = "r_wrist";
+  (*parameters)["frame"] = session.project().frames.last;
+  (*parameters)["rests"] = false;
+}
+
 // Only what a format has.
 void KeepToFormat(Json* parameters) {
   const std::string path = parameters->value("path", "");
@@ -268,6 +293,7 @@ Json RandomParameters(const std::string& id, const std::vector<ParameterInfo>& i
   if (id == "throw.add" && !InAHand(session).empty()) {
     parameters["object"] = OneOf(InAHand(session), random).name;
   }
+  if (id.starts_with("goal.")) KeepToGoal(id, session, random, &parameters);
   if (id == "pose.blend") KeepToCurves(random, &parameters);
   if (id == "held.set") KeepToItem(session.project().held_objects, infos, &parameters);
   Order("first", "last", session.project().frames, &parameters);
@@ -289,10 +315,11 @@ static bool IsBetweenKeys(const Session& session) {
 
 bool IsSeldomPossible(const std::string& id) {
   static const char* const kIds[] = {
-      "audio.remove",    "constraint.set",   "drive.key",  "drive.remove",    "drive.remove_key",
-      "drive.set",       "figure.embed",     "held.pass",  "held.set_frames", "held.set_holder",
-      "held.throw_onto", "jump.aim",         "keys.paste", "pose.breakdown",  "pose.push",
-      "pose.relax",      "reference.remove", "throw.add"};
+      "audio.remove",     "constraint.set", "drive.key",        "drive.remove",
+      "drive.remove_key", "drive.set",      "goal.aim",         "goal.reach",
+      "figure.embed",     "held.pass",      "held.set_frames",  "held.set_holder",
+      "held.throw_onto",  "jump.aim",       "keys.paste",       "pose.breakdown",
+      "pose.push",        "pose.relax",     "reference.remove", "throw.add"};
   return std::find(std::begin(kIds), std::end(kIds), id) != std::end(kIds);
 }
 
@@ -302,6 +329,7 @@ bool HasWhatItNeeds(const std::string& id, const std::vector<ParameterInfo>& inf
   if (id == "audio.remove") return session.project().audio.has_value();
   if (id == "reference.remove") return session.project().reference.has_value();
   if (id == "held.throw_onto") return !Thrown(session).empty();
+  if (id == "goal.aim") return !Aimable(session).empty();
   if (id == "throw.add") return !InAHand(session).empty();
   if (id == "jump.aim") return JumpAt(session.frame(), session.project().placements).has_value();
   if (id == "edit.redo") return session.document().redo_label().has_value();

@@ -1,5 +1,5 @@
-// What is done onto the spot under the mouse, seen while it is chosen: a jump (J) and a throw (T).
-// A height may be typed meanwhile.
+// What is done onto the spot under the mouse, seen while it is chosen: a jump (J), a throw (T), a
+// limb that reaches it. A height may be typed meanwhile.
 
 #include <algorithm>
 #include <cmath>
@@ -35,7 +35,8 @@ class SpotTool : public DragTool {
       text += "   " + std::string(Tr(texts_.height)) + ": " + typed_.shown() + " m";
     }
     if (!trouble_.empty()) return text + "   ! " + trouble_;
-    return text + "   0-9: " + Tr(texts_.height) + "   Esc: " + Tr("cancel");
+    if (*texts_.height) text += "   0-9: " + std::string(Tr(texts_.height));
+    return text + "   Esc: " + Tr("cancel");
   }
 
  protected:
@@ -82,7 +83,8 @@ class SpotTool : public DragTool {
 bool SpotTool::Follow(Editor* editor, const ToolInput& input) {
   if (!input.keys.empty()) reminder_ = "";
   for (const Chord& chord : input.keys) {
-    const bool is_other = !typed_.Take(chord) && chord.ctrl;
+    const bool is_typed = *texts_.height && typed_.Take(chord);
+    const bool is_other = !is_typed && chord.ctrl;
     if (is_other) reminder_ = Tr("First click to confirm, or press Esc.");
   }
   const Animation* animation = editor->session().animation();
@@ -231,6 +233,24 @@ class ThrowTool : public SpotTool {
   ItemId id_;
 };
 
+class AimTool : public SpotTool {
+ public:
+  AimTool(Editor* editor, std::string joint)
+      : SpotTool(editor, "goal.reach", "xyz",
+                 {"Reach the spot under the mouse in this frame", "", "Computing the reach"},
+                 /*takes_long=*/true),
+        joint_(std::move(joint)) {}
+
+ private:
+  Json Fixed() const override { return {{"joint", joint_}}; }
+  Told Tell(Editor* editor) const override {
+    const AimAnswer answer = AnswerOf(editor->session());
+    return {answer.text, answer.is_caution};
+  }
+
+  std::string joint_;
+};
+
 bool HasHolder(const ProjectHeldObject& object, const edit::Session& session) {
   const auto holders = HoldersOf(object, session.project().frames);
   return HolderAt(static_cast<int>(session.frame()), holders) != nullptr;
@@ -242,6 +262,15 @@ Result<Done> TakeJumpTool(Editor* editor) {
   const edit::Session& session = editor->session();
   const bool is_there = JumpAt(session.frame(), session.project().placements).has_value();
   editor->Take(std::make_unique<JumpTool>(editor, is_there));
+  return Done();
+}
+
+Result<Done> TakeAimTool(Editor* editor) {
+  const std::vector<GroupIndex> joints = SelectedJoints(editor->session());
+  if (joints.size() != 1) {
+    return Error{ErrorCode::kSchema, "", "", Tr("click on the joint that is to reach it, a wrist")};
+  }
+  editor->Take(std::make_unique<AimTool>(editor, editor->session().figure().group(joints[0]).name));
   return Done();
 }
 

@@ -30,6 +30,8 @@ Result<Done> TakeTurnObjectTool(Editor* editor);
 Result<Done> TakeJumpTool(Editor* editor);
 // Aims the selected held object's throw at the spot under the mouse.
 Result<Done> TakeThrowTool(Editor* editor);
+// The tip of the selected joint's limb reaches the spot under the mouse in the current frame.
+Result<Done> TakeAimTool(Editor* editor);
 // The selected joint takes hold of what is clicked.
 Result<Done> TakeHoldOnTool(Editor* editor);
 // A new box, drawn onto what is under the mouse.
