@@ -55,7 +55,7 @@ struct ReachTarget {
   std::string joint;             // the outermost one of the limb
   Vec3 position = Vec3::Zero();  // world [m]
   int frame = 0;
-  std::optional<bool> rests;  // not given: as the goal that is there has it, else not
+  std::optional<bool> rests;  // not given: as the goal that is there has it, else if it can
 };
 
 // Tip of what sticks out farthest beyond a joint, in its frame [m].

@@ -83,12 +83,14 @@ Result<MadeAim> MakeReach(const ReachTarget& target, const Project& project,
            goal.frame == target.frame;
   };
   auto goal = std::find_if(with_goal.goals.begin(), with_goal.goals.end(), is_same);
-  if (goal == with_goal.goals.end()) {
+  const bool is_new = goal == with_goal.goals.end();
+  if (is_new) {
     ProjectGoal fresh;
     fresh.name = FreeName("reach", with_goal.goals);
     fresh.kind = GoalKind::kPoint;
     fresh.frame = target.frame;
     fresh.joint = target.joint;
+    fresh.rests = true;
     fresh.offset_m = TipOf(JointIndex(joint->end.value() - 1), *figure);
     with_goal.goals.push_back(std::move(fresh));
     goal = std::prev(with_goal.goals.end());
@@ -100,7 +102,13 @@ Result<MadeAim> MakeReach(const ReachTarget& target, const Project& project,
     if (!region.ok()) return region.error();
     with_goal.regions.push_back(std::move(region).value());
   }
-  return MakeAim(std::string(goal->name), with_goal, std::move(figure), cancel);
+  const std::string name = goal->name;
+  Result<MadeAim> made = MakeAim(name, with_goal, figure, cancel);
+  const bool is_missed = !made.ok() && made.error().code == ErrorCode::kSemantics;
+  if (!is_missed || !is_new || target.rests) return made;
+  // A limb that cannot stop there may pass.
+  goal->rests = false;
+  return MakeAim(name, with_goal, std::move(figure), cancel);
 }
 
 }  // namespace hazumi::makers

@@ -131,10 +131,11 @@ TEST(Reach, MakesRegionGoalAndTorquesInOneStep) {
   ASSERT_EQ(session.project().goals.size(), 1u);
   // The point is the tip of the hand, and is dragged.
   EXPECT_LT(session.project().goals[0].offset_m.z(), -0.1);
-  Do(&session, "goal.set", {{"goal", "reach"}, {"rests", true}});
+  EXPECT_TRUE(session.project().goals[0].rests);
+  Do(&session, "goal.set", {{"goal", "reach"}, {"rests", false}});
   Do(&session, "goal.reach",
      {{"joint", "r_wrist"}, {"x", 0.3}, {"y", -0.3}, {"z", 1.1}, {"frame", 12}});
-  EXPECT_TRUE(session.project().goals[0].rests);
+  EXPECT_FALSE(session.project().goals[0].rests);
   EXPECT_EQ(session.project().goals.size(), 1u);
   EXPECT_EQ(session.project().regions.size(), 1u);
   for (int i = 0; i < 3; ++i) Do(&session, "edit.undo");

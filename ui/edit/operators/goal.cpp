@@ -39,21 +39,12 @@ const ProjectRegion* LikelyRegion(const Session& session, int frame) {
   return first;
 }
 
-// Chooses what is not given: the selected joints of the region there, else all of it; of a point
-// the first selected joint.
+// Chooses what is not given: all joints of the region there; of a point the first selected joint.
 void ChooseRest(const Session& session, const Parameters& p, ProjectGoal* goal) {
   const ProjectRegion* region = LikelyRegion(session, goal->frame);
   if (goal->kind == GoalKind::kPose) {
     if (p.has("joints") || !region) return;
-    goal->joints.clear();
-    const std::vector<bool> moved = JointsOf(*region, session.figure());
-    for (const std::string& name : session.selected_joints()) {
-      const auto joints = FindJoints(session.figure(), name);
-      if (joints && moved[static_cast<size_t>(joints->first.value())]) {
-        goal->joints.push_back({name, false, {}});
-      }
-    }
-    if (goal->joints.empty()) goal->joints = region->joints;
+    goal->joints = region->joints;
     std::erase_if(goal->joints, [&](const JointRef& ref) {
       return !ref.beyond && MeansRoot(ref.name, session.figure());
     });
@@ -84,7 +75,8 @@ Result<Done> SetOwnFields(const Session& session, const Parameters& p, ProjectGo
   Resolve(session.figure(), &goal->joints);
   if (goal->kind == GoalKind::kPose && goal->joints.empty()) {
     return Refusal("joints", "no dynamics region moves joints in frame " +
-                                 std::to_string(goal->frame) + ": give some");
+                                 std::to_string(goal->frame) +
+                                 ": add a region over the frames before it");
   }
   return Done();
 }
@@ -225,8 +217,7 @@ Result<Done> LetLoose(Session* session, const Parameters& p) {
 std::vector<Operator> GoalOperators() {
   return {{"goal.add", "Add goal",
            "Adds what is to come true in a frame: joints meet their keys, or a point of the body "
-           "a place. Default: the current frame; the selected joints that a region moves there, "
-           "else all of them.",
+           "a place. Default: the current frame; all joints that a region moves there.",
            Requiring({"kind"}, FieldsOf<ProjectGoal>()), AddGoal},
           {"goal.set", "Change goal", "Changes what is given of a goal.",
            Joined({{kGoal}, FieldsOf<ProjectGoal>(), {kDrag}}), SetGoal},
