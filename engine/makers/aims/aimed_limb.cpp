@@ -7,6 +7,7 @@
 #include "engine/bake/pose/held_objects.h"
 #include "engine/dynamics/kinematics.h"
 #include "engine/makers/aims/reach_pose.h"
+#include "engine/makers/carried_body.h"
 #include "engine/solve/turn_vector.h"
 
 namespace hazumi::makers {
@@ -209,19 +210,9 @@ std::vector<RigidInertia> AimedLimb::BodiesAt(int frame, double* mass) const {
   ComputePositions(figure_, at.X_WR, at.q, &ws);
   std::vector<RigidInertia> bodies;
   for (int k = 0; k < n; ++k) {
-    const JointIndex j = hinges_.path[static_cast<size_t>(k)];
-    const Pose X_JW = Pose{ws.body(j).R, ws.body(j).p}.Inverse();
-    const int end = figure_.joint(j).subtree_end.value();
-    const int next = k + 1 < n ? hinges_.path[static_cast<size_t>(k) + 1].value() : end;
-    const int next_end = next < end ? figure_.joint(JointIndex(next)).subtree_end.value() : end;
-    RigidInertia sum;
-    for (int i = j.value(); i < end; ++i) {
-      const RigidInertia& own = loaded.body(JointIndex(i));
-      if ((i >= next && i < next_end) || own.is_massless()) continue;
-      const BodyScratch& body = ws.body(JointIndex(i));
-      sum = Combine(sum, Moved(own, X_JW * Pose{body.R, body.p}));
-    }
-    bodies.push_back(sum);
+    const size_t at_k = static_cast<size_t>(k);
+    const JointIndex next = k + 1 < n ? hinges_.path[at_k + 1] : JointIndex();
+    bodies.push_back(CarriedBody(hinges_.path[at_k], next, loaded, ws));
   }
   return bodies;
 }

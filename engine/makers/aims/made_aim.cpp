@@ -11,36 +11,13 @@
 #include "engine/project/checks/joint_names.h"
 #include "engine/project/compile.h"
 #include "engine/project/edits/entries.h"
+#include "engine/project/edits/goals.h"
 #include "engine/spatial/degrees.h"
 #include "engine/timeline/curve_track.h"
 
 namespace hazumi::makers {
 
 namespace {
-
-// Hinges that a goal names.
-std::vector<bool> HingesOf(const ProjectGoal& goal, const Figure& figure) {
-  if (goal.kind == GoalKind::kPose) return JointsOf(goal.joints, figure);
-  return JointsOf(std::vector<JointRef>{{goal.joint, false, {}}}, figure);
-}
-
-bool IsIn(int frame, const ProjectRegion& region) {
-  return !region.mute && frame > region.first_frame && frame <= region.last_frame;
-}
-
-// Whether it moves a joint of the goal, or of a point one that carries it.
-bool Moves(const ProjectRegion& region, const ProjectGoal& goal, const Figure& figure) {
-  if (!IsIn(goal.frame, region)) return false;
-  const std::vector<bool> moved = JointsOf(region, figure), asked = HingesOf(goal, figure);
-  for (int j = 0; j < figure.num_joints(); ++j) {
-    if (!asked[static_cast<size_t>(j)]) continue;
-    for (JointIndex k(j); k.is_valid(); k = figure.joint(k).parent) {
-      if (moved[static_cast<size_t>(k.value())]) return true;
-      if (goal.kind == GoalKind::kPose) break;
-    }
-  }
-  return false;
-}
 
 class AimMaker {
  public:

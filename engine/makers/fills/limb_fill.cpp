@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/makers/carried_body.h"
 #include "engine/solve/fill_solver.h"
 #include "engine/solve/turn_vector.h"
 
@@ -147,7 +148,9 @@ class LimbFill {
           }
         }
         is_known.push_back(!is_filled || spline->second.first->IsKnown(f) ? 1 : 0);
-        bodies.push_back(Carried(limb, k, ws));
+        const JointIndex next =
+            k + 1 < limb.size() ? figure_.group(limb[k + 1]).first : JointIndex();
+        bodies.push_back(CarriedBody(group.last(), next, figure_, ws));
         before = body.R;
       }
       turns.push_back(std::move(now));
@@ -163,26 +166,6 @@ class LimbFill {
       carrier[n - 1] = carrier[n - 2] * carrier[n - 3].Inverse() * carrier[n - 2];
     }
     return turns;
-  }
-
-  // All that turns with joint k of a limb, in its frame: what lies beyond it but not beyond the
-  // next one.
-  RigidInertia Carried(const Limb& limb, size_t k, const DynamicsWorkspace& ws) const {
-    const JointGroup& group = figure_.group(limb[k]);
-    const JointIndex last = group.last();
-    const Pose X_JW = Pose{ws.body(last).R, ws.body(last).p}.Inverse();
-    const int begin = group.first.value(), end = figure_.joint(group.first).subtree_end.value();
-    const int next = k + 1 < limb.size() ? figure_.group(limb[k + 1]).first.value() : end;
-    const int next_end = next < end ? figure_.joint(JointIndex(next)).subtree_end.value() : end;
-    RigidInertia sum;
-    for (int j = begin; j < end; ++j) {
-      if (j >= next && j < next_end) continue;
-      const RigidInertia& own = figure_.body(JointIndex(j));
-      if (own.is_massless()) continue;
-      const BodyScratch& body = ws.body(JointIndex(j));
-      sum = Combine(sum, Moved(own, X_JW * Pose{body.R, body.p}));
-    }
-    return sum;
   }
 
   // Width of the smoothing by frame: a share of the frames between the keys around it.

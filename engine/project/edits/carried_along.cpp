@@ -3,6 +3,7 @@
 
 #include "engine/project/checks/joint_names.h"
 #include "engine/project/edits/curves.h"
+#include "engine/project/edits/goals.h"
 #include "engine/project/edits/key_selection.h"
 #include "engine/project/edits/keys.h"
 #include "engine/project/items.h"
@@ -105,18 +106,6 @@ std::vector<std::string> CurvesOf(const ProjectRegion& region, const Figure& fig
   return names;
 }
 
-// Whether the region moves joints that a goal names.
-bool IsOf(const ProjectGoal& goal, const ProjectRegion& region, const Figure& figure) {
-  const std::vector<JointRef> point = {{goal.joint, false, {}}};
-  const bool is_pose = goal.kind == GoalKind::kPose;
-  const std::vector<bool> named = JointsOf(is_pose ? goal.joints : point, figure);
-  const std::vector<bool> moved = JointsOf(region, figure);
-  for (size_t j = 0; j < named.size(); ++j) {
-    if (named[j] && moved[j]) return true;
-  }
-  return false;
-}
-
 }  // namespace
 
 void CarryAlong(const KeySelection& selected, const Figure& figure, const FrameMap& to,
@@ -128,9 +117,8 @@ void CarryAlong(const KeySelection& selected, const Figure& figure, const FrameM
     if (!carrier.has_all() && !carrier.HasAllOf(CurvesOf(region, figure))) continue;
     // Goals in a region go with it.
     for (ProjectGoal& goal : project->goals) {
-      const bool is_inside = goal.frame > region.first_frame && goal.frame <= region.last_frame;
-      const bool is_of_it = is_inside && IsOf(goal, region, figure);
-      if (!carrier.has_all() && is_of_it) carrier.CarryFrames(ItemKind<ProjectGoal>(), &goal);
+      if (carrier.has_all() || !Moves(region, goal, figure)) continue;
+      carrier.CarryFrames(ItemKind<ProjectGoal>(), &goal);
     }
     carrier.CarrySpan(&region);
     for (ProjectDrive& drive : region.drives) {

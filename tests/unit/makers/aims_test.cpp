@@ -295,7 +295,7 @@ TEST(Aim, MovesTwoArmsToGoalsOfTheirOwn) {
   EXPECT_LT(made.value().report.goals[1].distance, 0.005);
 }
 
-// From regions of one frame to one of sixty.
+// Lengths from one frame to twenty.
 TEST(Aim, AimsRegionsOfAnyLength) {
   for (const int last : {6, 7, 8, 25}) {
     Scene scene("throw.kfa", 5, last, "r_shoulder");

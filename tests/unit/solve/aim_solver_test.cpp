@@ -52,7 +52,7 @@ TEST(AimSolver, MovesAParticleWithTheLeastForce) {
   EXPECT_NEAR(motion.torques(0, 101), 3.0, 0.02);  // 6 - 12 t
 }
 
-// With its end rate free it needs a quarter of that: 3 m^2 d^2 / T^3.
+// A particle with a free end rate needs a quarter of that: 3 m^2 d^2 / T^3.
 TEST(AimSolver, LeavesARateFreeThatNobodyAsksFor) {
   Wheel wheel(400, 8);
   wheel.problem.angles = {{401, 0, 1.0}};

@@ -19,7 +19,7 @@ VecX TorquesOf(const Chain& chain, const Turns& turns) {
   return torques;
 }
 
-// By a difference of sixth order; every second chain hangs on a figure that falls.
+// Compares with differences of sixth order. Every second chain hangs on a figure that falls.
 TEST(ChainMoments, AreDifferentiatedToNineDigits) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     Turns turns;
@@ -91,7 +91,7 @@ TEST(ChainMoments, FallWithTheirFigure) {
   chain.falling_mass = 20.0;
   chain.fall.assign(3, asked);
   EXPECT_LT((ChainMoments(chain, 1, a, x, z).moment(0) - given.moment(0)).norm(), 1e-12);
-  // What it asks for besides moves the figure: as if the carrier gave way.
+  // A further force moves the figure, as if the carrier gave way.
   chain.fall[1] = asked - Vec3(0.0, 0.0, 8.0);
   const Vec3 more = ChainMoments(chain, 1, a, x, z).moment(0) - given.moment(0);
   Vec3 lever = Vec3::Zero();

@@ -27,8 +27,8 @@ double AngleOf(const Turns& turns, int t) {
   return TurnVector(turns[static_cast<size_t>(t)][0]).y();
 }
 
-// Of a single hinge it is the natural cubic, but for the step from frame to frame: its second
-// differences run straight from key to key and vanish at the ends.
+// The spline of a single hinge is the natural cubic, but for the step from frame to frame: its
+// second differences run straight from key to key and vanish at the ends.
 TEST(SolveSpline, OfAHingeIsTheNaturalCubic) {
   Turns turns;
   const Chain chain = HingeChain(&turns);

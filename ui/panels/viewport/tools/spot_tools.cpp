@@ -1,5 +1,5 @@
-// What is done onto the spot under the mouse, seen while it is chosen: a jump (J), a throw (T), a
-// limb that reaches it. A height may be typed meanwhile.
+// Tools that act onto the spot under the mouse and show the result while it is chosen: a jump (J),
+// a throw (T), a limb that reaches it. A height may be typed meanwhile.
 
 #include <algorithm>
 #include <cmath>
