@@ -104,7 +104,17 @@ template <>
 struct EnumNames<GoalKind> {
   static constexpr const char* kWhat = "kind of a goal";
   static constexpr EnumName<GoalKind> kNames[] = {{GoalKind::kPose, NameOf(GoalKind::kPose)},
-                                                  {GoalKind::kPoint, NameOf(GoalKind::kPoint)}};
+                                                  {GoalKind::kPoint, NameOf(GoalKind::kPoint)},
+                                                  {GoalKind::kObject, NameOf(GoalKind::kObject)}};
+};
+
+template <>
+struct EnumNames<ThrowStyle> {
+  static constexpr const char* kWhat = "style of a throw";
+  static constexpr EnumName<ThrowStyle> kNames[] = {
+      {ThrowStyle::kUnderarm, NameOf(ThrowStyle::kUnderarm)},
+      {ThrowStyle::kOverarm, NameOf(ThrowStyle::kOverarm)},
+      {ThrowStyle::kPush, NameOf(ThrowStyle::kPush)}};
 };
 
 template <>

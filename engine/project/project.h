@@ -223,11 +223,15 @@ struct ProjectGoal {
   std::vector<JointRef> joints;  // kPose: they have the angles of their keys
   // kPoint
   std::string joint;
-  Vec3 offset_m = Vec3::Zero();                     // in the joint's frame
-  Vec3 position_m = Vec3::Zero();                   // in the world
-  bool rests = false;                               // what moves there stands still
+  Vec3 offset_m = Vec3::Zero();    // in the joint's frame
+  Vec3 position_m = Vec3::Zero();  // in the world; kObject: of its centre
+  bool rests = false;              // what moves there stands still
+  // kObject: it is let go in `frame`
+  std::string object;
+  std::optional<double> height_m;  // its rise above where it is let go; nothing: the least speed
+  ThrowStyle style = ThrowStyle::kUnderarm;
   double tolerance_deg = kDefaultGoalToleranceDeg;  // kPose
-  double tolerance_m = kDefaultGoalToleranceM;      // kPoint
+  double tolerance_m = kDefaultGoalToleranceM;      // kPoint, kObject
   ExtraFields extra;
   Identity identity = {};
   bool operator==(const ProjectGoal&) const = default;

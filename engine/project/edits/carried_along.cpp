@@ -117,7 +117,7 @@ void CarryAlong(const KeySelection& selected, const Figure& figure, const FrameM
     if (!carrier.has_all() && !carrier.HasAllOf(CurvesOf(region, figure))) continue;
     // Goals in a region go with it.
     for (ProjectGoal& goal : project->goals) {
-      if (carrier.has_all() || !Moves(region, goal, figure)) continue;
+      if (carrier.has_all() || !Moves(region, goal, figure, *project)) continue;
       carrier.CarryFrames(ItemKind<ProjectGoal>(), &goal);
     }
     carrier.CarrySpan(&region);

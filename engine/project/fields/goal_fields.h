@@ -11,7 +11,8 @@
 namespace hazumi {
 
 template <>
-inline constexpr std::array kAddLabels<ProjectGoal> = {"Add pose to meet", "Add point to reach"};
+inline constexpr std::array kAddLabels<ProjectGoal> = {"Add pose to meet", "Add point to reach",
+                                                       "Add spot to throw onto"};
 template <>
 inline constexpr StructInfo kStructInfo<ProjectGoal> = {
     "goal",
@@ -23,9 +24,10 @@ void Describe(Ar& ar, Ref<Ar, ProjectGoal> goal) {
   ar.Required(kNameField, goal.name);
   ar.Required({.name = "kind",
                .label = "Kind",
-               .help = "pose or point",
+               .help = "pose, point or object",
                .details = "Pose: joints have the angles of their keys. Point: a point of a joint's "
-                          "body is in a place."},
+                          "body is in a place. Object: what a hand lets go in that frame comes "
+                          "down on a place."},
               goal.kind);
   ar.Required({.name = "frame", .label = "Frame", .help = "the frame in which it comes true"},
               goal.frame);
@@ -60,22 +62,48 @@ void Describe(Ar& ar, Ref<Ar, ProjectGoal> goal) {
                  .unit = "m",
                  .step = 0.005},
                 goal.offset_m, Vec3(Vec3::Zero()));
+  }
+  if (goal.kind == GoalKind::kObject) {
+    ar.Required({.name = "object",
+                 .label = "Object",
+                 .help = "the held object that is let go in that frame",
+                 .thing = Thing::kHeldObject,
+                 .is_filled = true},
+                goal.object);
+    ar.Optional({.name = "style",
+                 .label = "Style",
+                 .help = "underarm, overarm or push",
+                 .details = "Underarm: the arm swings forward below the shoulder. Overarm: it is "
+                            "drawn back beside the head. Push: it pushes away from the shoulder."},
+                goal.style, ThrowStyle::kUnderarm);
+    ar.Optional({.name = "height_m",
+                 .parameter = "height",
+                 .label = "Rise",
+                 .help = "how far the object rises above the hand",
+                 .details = "Not given: as far as it does with the least speed.",
+                 .unit = "m",
+                 .range = {1e-3, 100.0},
+                 .step = 0.01},
+                goal.height_m);
+  }
+  if (goal.kind != GoalKind::kPose) {
     ar.Required({.name = "position_m",
                  .parameter = "position_?",
                  .label = "Position",
-                 .help = "where the point is to be, in the world",
+                 .help = "where the point, or the object's centre, is to be, in the world",
                  .unit = "m",
                  .step = 0.005},
                 goal.position_m);
     ar.Optional({.name = "tolerance_m",
                  .parameter = "distance",
                  .label = "Distance",
-                 .help = "by how much the point may miss",
+                 .help = "by how much it may miss the position",
                  .unit = "m",
                  .range = {1e-4, 1.0},
                  .step = 0.0005},
                 goal.tolerance_m, kDefaultGoalToleranceM);
   }
+  if (goal.kind == GoalKind::kObject) return;
   ar.Optional({.name = "rests",
                .label = "Rests",
                .help = "true: what moves there stands still in that frame"},

@@ -126,7 +126,9 @@ constexpr const char* kSample = R"({
   "goals": [{"name": "meet", "kind": "pose", "frame": 7, "joints": ["r_elbow", {"beyond": "l_shoulder"}],
              "tolerance_deg": 0.5, "rests": true},
             {"name": "button", "kind": "point", "frame": 8, "joint": "r_wrist", "offset_m": [0, 0, -0.1],
-             "position_m": [0.4, -0.2, 1.2], "tolerance_m": 0.01}]
+             "position_m": [0.4, -0.2, 1.2], "tolerance_m": 0.01},
+            {"name": "basket", "kind": "object", "frame": 6, "object": "ball", "style": "overarm",
+             "height_m": 0.7, "position_m": [3, 0.2, 0.04], "tolerance_m": 0.02}]
 })";
 
 }  // namespace
