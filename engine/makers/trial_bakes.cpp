@@ -8,7 +8,6 @@ double TrialBakes::work() const {
 }
 
 Result<const Motion*> TrialBakes::BakeTo(int frame, const Animation& animation) {
-  if (work() >= most_work_) return exhausted_;
   if (bake_) {
     bake_->Update(animation);
     updates_ += 1.0;

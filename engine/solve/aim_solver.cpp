@@ -14,7 +14,7 @@ namespace {
 constexpr double kBound = 30.0;             // w_b
 constexpr double kLimit = 1.0 / kDegree;    // w_l
 constexpr double kAngle = 100.0;            // w_a
-constexpr double kRest = 3.0;               // w_r [s]
+constexpr double kRate = 3.0;               // w_r [s]
 constexpr double kInside = 0.25 * kDegree;  // how far inside a limit pushes begin
 constexpr int kOrder = 4;  // of the splines: each interval has so many coefficients
 
@@ -193,14 +193,15 @@ double AimSolver::Terms(const MatX& coefficients, BandSystem* system) {
     const double r = kAngle * (angles(asked.hinge, asked.frame) - asked.angle);
     cost += AddOf(asked.hinge, asked.frame, VecX::Constant(1, kAngle), r, system);
   }
-  for (const AimRest& rest : problem_.rests) {
+  for (const AimRate& asked : problem_.rates) {
     // A central difference; at the end that of the parabola through the last three frames.
-    const bool is_end = rest.frame + 1 == num_frames();
-    const int first = rest.frame - (is_end ? 2 : 1);
+    const bool is_end = asked.frame + 1 == num_frames();
+    const int first = asked.frame - (is_end ? 2 : 1);
     const Vec3 difference = is_end ? Vec3(0.5, -2.0, 1.5) : Vec3(-0.5, 0.0, 0.5);
-    const Vec3 change = kRest / problem_.chain.step * difference;
-    const double r = angles.row(rest.hinge).segment(first, 3).dot(change.transpose());
-    cost += AddOf(rest.hinge, first, change, r, system);
+    const Vec3 change = kRate / problem_.chain.step * difference;
+    const double r =
+        angles.row(asked.hinge).segment(first, 3).dot(change.transpose()) - kRate * asked.rate;
+    cost += AddOf(asked.hinge, first, change, r, system);
   }
   return cost;
 }

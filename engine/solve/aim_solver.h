@@ -4,7 +4,7 @@
 //
 //   sum over frames  dt / T (sum over hinges (tau_i / S_i)^2 + w_q^2 q_i''^2
 //                            + w_b^2 beyond(|tau_i| / S_i, most)^2 + w_l^2 beyond(q_i, limits)^2)
-//   + sum over angles asked for w_a^2 (q_i - angle)^2 + sum over rests w_r^2 q_i'^2
+//   + sum over angles asked for w_a^2 (q_i - angle)^2 + sum over rates w_r^2 (q_i' - rate)^2
 //
 // tau [N m]: torques that muscles have to give, M (q'' + C q') + b: what friction takes and what
 // the limb does by itself costs nothing [METHOD 2.3]. S: what counts as 1; dt: from frame to frame,
@@ -40,9 +40,10 @@ struct AimAngle {
   double angle = 0.0;  // [rad]
 };
 
-// A hinge that has to stand still in a frame.
-struct AimRest {
+// A rate that a hinge has to have in a frame.
+struct AimRate {
   int frame = 0, hinge = 0;
+  double rate = 0.0;  // [rad/s]
 };
 
 struct AimProblem {
@@ -54,7 +55,7 @@ struct AimProblem {
   double most = 1.0;           // share of S that a torque may have
   double acceleration = 2e-4;  // w_q [s^2]: 500 rad/s^2 count as a tenth of S
   std::vector<AimAngle> angles;
-  std::vector<AimRest> rests;
+  std::vector<AimRate> rates;
 };
 
 // Turns of the joints with these angles.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/dynamics/kinematics.h"
+#include "engine/makers/throws/release_pose.h"
 
 namespace hazumi::makers {
 
@@ -36,18 +37,25 @@ std::vector<JointIndex> RestingHinges(const AimGoal& goal, const DynamicsRegion&
   std::vector<JointIndex> hinges;
   if (!goal.rests) return hinges;
   for (const auto& [j, angle] : goal.angles) hinges.push_back(j);
-  if (!goal.is_point()) return hinges;
+  if (!goal.has_point()) return hinges;
   for (const JointIndex j : region.joints) {
     if (figure.IsBeyond(goal.joint, j)) hinges.push_back(j);
   }
   return hinges;
 }
 
-Vec3 PointOf(const AimGoal& goal, const MotionLimit& at, const Figure& figure) {
+ThrowPath PathOf(const AimGoal& goal, const MotionLimit& at, const Figure& figure) {
   DynamicsWorkspace ws(figure);
   ComputePositions(figure, at.X_WR, at.q, &ws);
+  ComputeVelocities(figure, at.root_w, at.root_v, at.qd, &ws);
   const BodyScratch& body = ws.body(goal.joint);
-  return body.p + body.R * goal.offset;
+  const Vec3 arm = body.R * goal.offset;
+  return {body.p + arm, body.v + body.w.cross(arm), 0.0};
+}
+
+VecX OffPlace(const AimGoal& goal, const ThrowPath& path) {
+  if (!goal.thrown) return path.from - goal.place;
+  return MissOfSpot(path, goal.place, goal.thrown->height, goal.thrown->gravity);
 }
 
 bool GoalMiss::IsMet(const AimGoal& goal) const {
@@ -64,7 +72,7 @@ GoalMiss MissOf(const AimGoal& goal, const DynamicsRegion& region, const Figure&
     miss.angle = off;
     miss.joint = j;
   }
-  if (goal.is_point()) miss.distance = (PointOf(goal, at, figure) - goal.place).norm();
+  if (goal.has_point()) miss.distance = OffPlace(goal, PathOf(goal, at, figure)).norm();
   for (const JointIndex j : RestingHinges(goal, region, figure)) {
     miss.rate = std::max(miss.rate, std::abs(at.qd[j.value()]));
   }

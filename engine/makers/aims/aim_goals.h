@@ -2,26 +2,39 @@
 
 // Internal. Goals of an aim with names resolved, in SI units, and how far a motion misses them.
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "engine/bake/motion.h"
+#include "engine/makers/throws/throw_path.h"
 #include "engine/timeline/animation.h"
+#include "engine/timeline/goal_kind.h"
 
 namespace hazumi::makers {
 
-// State that a motion has to reach in a frame: angles of hinges, or the place of a point.
+// How an object is thrown.
+struct ThrowAsked {
+  std::optional<double> height;  // rise above where it is let go [m]; nothing: the least speed
+  ThrowStyle style = ThrowStyle::kUnderarm;
+  double gravity = 0.0;  // [m/s^2]
+};
+
+// State that a motion has to reach in a frame: angles of hinges, the place of a point, or a motion
+// of a point with which what is let go there flies to a place.
 struct AimGoal {
   std::string name;
   int frame = 0;                                      // of the animation
   std::vector<std::pair<JointIndex, double>> angles;  // of limp hinges [rad]
   JointIndex joint;                                   // valid: the point is on the body beyond it
   Vec3 offset = Vec3::Zero(), place = Vec3::Zero();   // of the point: in its frame, world [m]
+  std::optional<ThrowAsked> thrown;                   // the place is where it comes down
   bool rests = false;                                 // the hinges that move it stand still
   double tolerance = 0.0;                             // of each angle [rad], of the place [m]
 
-  bool is_point() const { return joint.is_valid(); }
+  bool has_point() const { return joint.is_valid(); }
+  bool is_place() const { return has_point() && !thrown; }
 };
 
 // Hinges that an aim may give torques: a region's own, without another drive, not frozen by
@@ -38,8 +51,11 @@ inline const MotionLimit& ArrivalAt(int frame, const Motion& motion) {
   return motion.frames[static_cast<size_t>(frame - motion.frames[0].frame)].before;
 }
 
-// Place of a goal's point in a state of the figure, world [m].
-Vec3 PointOf(const AimGoal& goal, const MotionLimit& at, const Figure& figure);
+// Place and velocity of a goal's point in a state of the figure.
+ThrowPath PathOf(const AimGoal& goal, const MotionLimit& at, const Figure& figure);
+// By how much a path misses the place of a goal with a point [m]: of a throw two rows, or three if
+// it has to rise to a height.
+VecX OffPlace(const AimGoal& goal, const ThrowPath& path);
 
 // Distance of a motion from a goal.
 struct GoalMiss {

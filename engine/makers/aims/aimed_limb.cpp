@@ -8,7 +8,10 @@
 #include "engine/dynamics/kinematics.h"
 #include "engine/makers/aims/reach_pose.h"
 #include "engine/makers/carried_body.h"
+#include "engine/makers/throws/release_pose.h"
+#include "engine/makers/throws/throw_poses.h"
 #include "engine/solve/turn_vector.h"
+#include "engine/spatial/degrees.h"
 
 namespace hazumi::makers {
 
@@ -184,9 +187,8 @@ void AimedLimb::AddFrames() {
   }
   problem_.given = start_;
   const int apart = std::max(1, (last_ - first_ + kIntervals / 2) / kIntervals);
-  for (const int knot : FramesThrough(first_, GoalFrames(), apart)) {
-    problem_.knots.push_back(NumberOf(knot));
-  }
+  spline_frames_ = FramesThrough(first_, GoalFrames(), apart);
+  for (const int knot : spline_frames_) problem_.knots.push_back(NumberOf(knot));
   // Objects that are held half-way count as held all the way.
   double mass = 0.0;  // of the figure
   chain.bodies.assign(static_cast<size_t>(count), BodiesAt((first_ + last_) / 2, &mass));
@@ -260,6 +262,60 @@ void AimedLimb::AskForPlace(const AimGoal& goal, int t) {
   }
 }
 
+namespace {
+
+// Rate at which a hinge still has some strength [rad/s].
+double FastestOf(const Joint& joint) {
+  constexpr double kShare = 0.8, kMost = 1000.0 * kDegree;
+  double fastest = kMost;
+  if (!joint.strength) return fastest;
+  for (const StrengthCurve& curve : {joint.strength->positive, joint.strength->negative}) {
+    if (curve.form != StrengthCurve::Form::kBell) continue;
+    fastest = std::min(fastest, kShare * curve.fastest);
+  }
+  return fastest;
+}
+
+}  // namespace
+
+// What is thrown is asked for by the angles and rates of a release.
+void AimedLimb::AskForThrow(const AimGoal& goal, int t) {
+  const MotionLimit& at = ArrivalAt(goal.frame, motion_);
+  DynamicsWorkspace ws(figure_);
+  ComputePositions(figure_, at.X_WR, at.q, &ws);
+  ComputeVelocities(figure_, at.root_w, at.root_v, at.qd, &ws);
+  const JointIndex base = figure_.joint(hinges_.path[0]).parent;
+  const BodyScratch& body = base.is_valid() ? ws.body(base) : ws.bodies[0];
+  const ReleaseCarrier carrier = {{body.R, body.p}, body.w, body.v};
+  const std::vector<ReleaseHabit> habits = HabitsOf(goal.thrown->style, goal.joint, figure_);
+  std::vector<ReleaseHinge> hinges;
+  for (size_t k = 0; k < hinges_.path.size(); ++k) {
+    const JointIndex j = hinges_.path[k];
+    const Joint& joint = figure_.joint(j);
+    const int row = static_cast<int>(k);
+    const ReleaseHabit& habit = habits[static_cast<size_t>(j.value())];
+    ReleaseHinge hinge = {joint.X_PJ, joint.axis, joint.lower, joint.upper};
+    hinge.moves = hinges_.moves[k] != 0;
+    hinge.wanted = hinge.moves ? habit.angle.value_or(start_(row, 1)) : start_(row, t);
+    hinge.ease = habit.ease;
+    hinge.start = start_(row, 1);
+    hinge.start_rate = problem_.hinges[k].start_rate;
+    hinge.fastest = FastestOf(joint);
+    hinges.push_back(hinge);
+    if (j == goal.joint) break;
+  }
+  const ReleaseTarget target = {goal.offset, goal.place, goal.thrown->height, goal.thrown->gravity,
+                                (t - 1) * problem_.chain.step};
+  release_ = ReleaseFor(carrier, hinges, target);
+  const Release& release = release_;
+  if (release.miss > goal.tolerance) out_of_reach_ = {goal, release.miss};
+  for (int k = 0; k < static_cast<int>(hinges.size()); ++k) {
+    if (!hinges_.moves[static_cast<size_t>(k)]) continue;
+    problem_.angles.push_back({t, k, release.angles[k]});
+    problem_.rates.push_back({t, k, release.rates[k]});
+  }
+}
+
 void AimedLimb::AskForGoals() {
   const auto number = [&](JointIndex j) {
     const auto at = std::find(hinges_.path.begin(), hinges_.path.end(), j);
@@ -267,7 +323,8 @@ void AimedLimb::AskForGoals() {
   };
   for (const AimGoal& goal : goals_) {
     const int t = NumberOf(goal.frame);
-    if (goal.is_point()) AskForPlace(goal, t);
+    if (goal.is_place()) AskForPlace(goal, t);
+    if (goal.thrown) AskForThrow(goal, t);
     for (const auto& [j, angle] : goal.angles) {
       const int k = number(j);
       if (!problem_.hinges[static_cast<size_t>(k)].moves) continue;
@@ -278,12 +335,13 @@ void AimedLimb::AskForGoals() {
       const JointIndex j = hinges_.path[static_cast<size_t>(k)];
       const bool is_named = std::any_of(goal.angles.begin(), goal.angles.end(),
                                         [&](const auto& angle) { return angle.first == j; });
-      const bool carries = goal.is_point() && figure_.IsBeyond(goal.joint, j);
+      const bool carries = goal.has_point() && figure_.IsBeyond(goal.joint, j);
       if (hinges_.moves[static_cast<size_t>(k)] && (is_named || carries)) {
-        problem_.rests.push_back({t, k});
+        problem_.rates.push_back({t, k, 0.0});
       }
     }
   }
+  if (goals_.size() == 1 && goals_[0].thrown) return SwingFromStart();
   // The search begins with the motion without torques, bent more and more towards each goal.
   const MatX passive = start_;
   for (int k = 0; k < static_cast<int>(hinges_.path.size()); ++k) {
@@ -300,6 +358,21 @@ void AimedLimb::AskForGoals() {
       }
       from = asked.frame;
       off = there;
+    }
+  }
+}
+
+// The search for a throw begins with a cubic to its release.
+void AimedLimb::SwingFromStart() {
+  const int last = static_cast<int>(start_.cols()) - 1;
+  const double h = (last - 1) * problem_.chain.step;
+  for (int k = 0; k < static_cast<int>(hinges_.path.size()); ++k) {
+    if (!hinges_.moves[static_cast<size_t>(k)] || k >= release_.angles.size()) continue;
+    const double from = start_(k, 1);
+    for (int t = 0; t <= last; ++t) {
+      start_(k, t) =
+          CubicAt(from, problem_.hinges[static_cast<size_t>(k)].start_rate, release_.angles[k],
+                  release_.rates[k], h, (t - 1) / static_cast<double>(last - 1));
     }
   }
 }
@@ -330,6 +403,7 @@ void AimedLimb::Solve(double smoothness) {
   const solve::AimedMotion found = solver.Solve();
   iterations_ = found.report.iterations;
   angles_ = found.angles;
+  path_torques_ = found.torques;
   const MatX weights = Weights();
   changes_ = solver.ChangesWith(weights);
   const int last = static_cast<int>(found.torques.cols()) - 2;
@@ -345,6 +419,33 @@ void AimedLimb::Solve(double smoothness) {
     all.insert(all.end(), keys.data(), keys.data() + keys.size());
   }
   torques_ = Eigen::Map<const VecX>(all.data(), static_cast<int>(all.size()));
+}
+
+double AimedLimb::MostMuscle() const {
+  double most = 0.0;
+  for (size_t k = 0; k < hinges_.path.size(); ++k) {
+    const Joint& joint = figure_.joint(hinges_.path[k]);
+    if (!joint.strength || !hinges_.moves[k]) continue;
+    for (int t = 1; t + 1 < angles_.cols(); ++t) {
+      const int row = static_cast<int>(k);
+      const double tau = path_torques_(row, t);
+      const double rate = (angles_(row, t + 1) - angles_(row, t - 1)) / (2.0 * problem_.chain.step);
+      const StrengthLimits limits = joint.strength->At(angles_(row, t), rate);
+      most = std::max(most, std::abs(tau) / (tau > 0.0 ? limits.positive : limits.negative).torque);
+    }
+  }
+  return most;
+}
+
+double AimedLimb::MostBeyond() const {
+  double most = 0.0;
+  for (size_t k = 0; k < hinges_.path.size(); ++k) {
+    if (!hinges_.moves[k]) continue;
+    const Joint& joint = figure_.joint(hinges_.path[k]);
+    const auto path = angles_.row(static_cast<int>(k)).rightCols(angles_.cols() - 1);
+    most = std::max({most, path.maxCoeff() - joint.upper, joint.lower - path.minCoeff()});
+  }
+  return most;
 }
 
 // Central differences; at the end those of the parabola through the last three frames.

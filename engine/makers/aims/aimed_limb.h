@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/makers/aims/aimed_paths.h"
+#include "engine/makers/throws/release_pose.h"
 #include "engine/solve/aim_solver.h"
 
 namespace hazumi::makers {
@@ -37,7 +38,16 @@ class AimedLimb {
   MatX AngleChange(int frame) const { return ChangeOf(NumberOf(frame)); }
   MatX RateChange(int frame) const;
   int iterations() const { return iterations_; }
-  // A goal whose place no pose of the limb brings its point to, and how far off it stays.
+  // Frames of the animation between which the path is a cubic.
+  const std::vector<int>& spline_frames() const { return spline_frames_; }
+  // How the goal that throws lets go.
+  const Release& release() const { return release_; }
+  // Largest torque that the path asks for, as a share of what its hinge can give there; 0 if no
+  // strength is known.
+  double MostMuscle() const;
+  // By how much the path goes beyond a limit, at most [rad].
+  double MostBeyond() const;
+  // A goal whose place the limb cannot bring its point to, or throw to, and how far off it stays.
   struct OutOfReach {
     AimGoal goal;
     double distance = 0.0;  // [m]
@@ -53,6 +63,8 @@ class AimedLimb {
   void TakeStrengths();
   void AskForGoals();
   void AskForPlace(const AimGoal& goal, int t);
+  void AskForThrow(const AimGoal& goal, int t);
+  void SwingFromStart();
   MatX StartAngles() const;
   double FrameOf(int t) const { return first_ + (t - 1) / static_cast<double>(per_frame_); }
   int NumberOf(double frame) const;
@@ -67,11 +79,12 @@ class AimedLimb {
   int first_ = 0, last_ = 0;  // frames of the animation: the start, the last goal
   bool goes_on_ = false;      // the region does, behind the last goal
   int per_frame_ = 1;
-  std::vector<int> knots_;
+  std::vector<int> knots_, spline_frames_;
+  Release release_;
   solve::AimProblem problem_;
-  MatX start_;                 // angles, hinges x frames of the chain
-  MatX angles_;                // as solved
-  std::vector<MatX> changes_;  // of the angles with the torques at the knots, by frame
+  MatX start_;                  // angles, hinges x frames of the chain
+  MatX angles_, path_torques_;  // as solved
+  std::vector<MatX> changes_;   // of the angles with the torques at the knots, by frame
   VecX torques_, strengths_;
   int iterations_ = 0;
   std::optional<OutOfReach> out_of_reach_;

@@ -11,7 +11,7 @@ std::vector<AimedHinges> PathsOf(const std::vector<AimGoal>& goals, const Dynami
   const std::vector<char> limp = LimpHinges(region, figure);
   std::vector<char> wanted(limp.size(), 0);
   for (const AimGoal& goal : goals) {
-    if (goal.is_point()) wanted[static_cast<size_t>(goal.joint.value())] = 1;
+    if (goal.has_point()) wanted[static_cast<size_t>(goal.joint.value())] = 1;
     for (const auto& [j, angle] : goal.angles) wanted[static_cast<size_t>(j.value())] = 1;
   }
   std::vector<AimedHinges> paths;
@@ -46,7 +46,7 @@ std::vector<AimGoal> GoalsOf(const AimedHinges& hinges, const std::vector<AimGoa
   std::vector<AimGoal> own;
   for (AimGoal goal : goals) {
     std::erase_if(goal.angles, [&](const auto& angle) { return !is_in(angle.first); });
-    if (goal.is_point() ? is_in(goal.joint) : !goal.angles.empty()) own.push_back(goal);
+    if (goal.has_point() ? is_in(goal.joint) : !goal.angles.empty()) own.push_back(goal);
   }
   return own;
 }

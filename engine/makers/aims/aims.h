@@ -40,7 +40,8 @@ struct MadeAim {
   AimReport report;
 };
 
-// Aims the region that moves the joints of a goal at all goals of that region. Torques that an
+// Aims the region that moves the joints of a goal of kind pose or point at all such goals of that
+// region. Torques that an
 // earlier aim found are found anew; joints with other drives keep these. The report is that of one
 // bake of the project it returns. `figure`: what was built of the project's figure before, or null.
 // Errors: kSchema, with what to do instead, if no region moves the joints there or a key lies

@@ -3,6 +3,7 @@
 #include <optional>
 #include <utility>
 
+#include "engine/base/assert.h"
 #include "engine/base/text.h"
 #include "engine/figure/strength.h"
 #include "engine/makers/aims/aims.h"
@@ -27,6 +28,7 @@ class AimMaker {
   Result<MadeAim> Make(const std::string& name, std::shared_ptr<const Figure> figure) {
     const Result<ProjectGoal*> goal = EntryNamed(name, "goal", &made_.project.goals);
     if (!goal.ok()) return goal.error();
+    HAZUMI_DEMAND(goal.value()->kind != GoalKind::kObject);
     if (!figure) {
       const Result<Compiled> compiled = CompileAnimation(made_.project, cancel_);
       if (!compiled.ok()) return compiled.error();
@@ -74,11 +76,46 @@ class AimMaker {
   const ProjectRegion* OtherRegionOf(const ProjectGoal& goal, const ProjectRegion& region,
                                      const Figure& figure) const {
     for (const ProjectRegion& other : made_.project.regions) {
-      if (&other != &region && goal.kind == GoalKind::kPose && Moves(other, goal, figure)) {
+      if (&other != &region && goal.kind == GoalKind::kPose &&
+          Moves(other, goal, figure, made_.project)) {
         return &other;
       }
     }
     return nullptr;
+  }
+
+  std::optional<Error> AskForPose(const ProjectGoal& goal, const std::vector<char>& limp,
+                                  const Animation& animation, AimGoal* asked) const {
+    const Figure& figure = *animation.figure;
+    const std::vector<bool> hinges = HingesOf(goal, figure, made_.project);
+    for (int j = 0; j < figure.num_joints(); ++j) {
+      const Joint& joint = figure.joint(JointIndex(j));
+      if (!hinges[static_cast<size_t>(j)] || !limp[static_cast<size_t>(j)]) continue;
+      CurveTrack curve(&animation.joint_keys[static_cast<size_t>(j)], animation.rate, joint.rest,
+                       {});
+      const double angle = curve.At(goal.frame).value;
+      const double beyond = std::max(angle - joint.upper, joint.lower - angle);
+      if (beyond > goal.tolerance_deg * kDegree) {
+        return Refusal("goal", "\"" + goal.name + "\" asks " + joint.name + " to be " +
+                                   FormatShort(beyond / kDegree) +
+                                   "° beyond its limit: change its key in frame " +
+                                   std::to_string(goal.frame));
+      }
+      asked->angles.push_back({JointIndex(j), std::clamp(angle, joint.lower, joint.upper)});
+    }
+    asked->tolerance = goal.tolerance_deg * kDegree;
+    return std::nullopt;
+  }
+
+  static std::optional<Error> AskForPoint(const ProjectGoal& goal, const Figure& figure,
+                                          AimGoal* asked) {
+    const auto joint = FindJoints(figure, goal.joint);
+    if (!joint) return Refusal("joint", "no joint \"" + goal.joint + "\"");
+    asked->joint = JointIndex(joint->end.value() - 1);
+    asked->offset = goal.offset_m;
+    asked->place = goal.position_m;
+    asked->tolerance = goal.tolerance_m;
+    return std::nullopt;
   }
 
   // Asks for all goals of the region.
@@ -87,6 +124,7 @@ class AimMaker {
     const ProjectRegion& region = made_.project.regions[aim->region];
     const std::vector<char> limp = LimpHinges(animation.regions[aim->region], figure);
     for (const ProjectGoal& goal : made_.project.goals) {
+      if (goal.kind == GoalKind::kObject) continue;  // by throws
       if (RegionOf(goal, figure, made_.project) != &region) continue;
       if (const ProjectRegion* other = OtherRegionOf(goal, region, figure)) {
         return Refusal("goal", "\"" + goal.name + "\" asks for joints of the regions \"" +
@@ -97,33 +135,11 @@ class AimMaker {
       asked.name = goal.name;
       asked.frame = goal.frame;
       asked.rests = goal.rests;
-      if (goal.kind == GoalKind::kPoint) {
-        const auto joint = FindJoints(figure, goal.joint);
-        if (!joint) return Refusal("joint", "no joint \"" + goal.joint + "\"");
-        asked.joint = JointIndex(joint->end.value() - 1);
-        asked.offset = goal.offset_m;
-        asked.place = goal.position_m;
-        asked.tolerance = goal.tolerance_m;
-      } else {
-        const std::vector<bool> hinges = HingesOf(goal, figure);
-        for (int j = 0; j < figure.num_joints(); ++j) {
-          const Joint& joint = figure.joint(JointIndex(j));
-          if (!hinges[static_cast<size_t>(j)] || !limp[static_cast<size_t>(j)]) continue;
-          CurveTrack curve(&animation.joint_keys[static_cast<size_t>(j)], animation.rate,
-                           joint.rest, {});
-          const double angle = curve.At(goal.frame).value;
-          const double beyond = std::max(angle - joint.upper, joint.lower - angle);
-          if (beyond > goal.tolerance_deg * kDegree) {
-            return Refusal("goal", "\"" + goal.name + "\" asks " + joint.name + " to be " +
-                                       FormatShort(beyond / kDegree) +
-                                       "° beyond its limit: change its key in frame " +
-                                       std::to_string(goal.frame));
-          }
-          asked.angles.push_back({JointIndex(j), std::clamp(angle, joint.lower, joint.upper)});
-        }
-        asked.tolerance = goal.tolerance_deg * kDegree;
-        if (asked.angles.empty()) return NothingLimp(goal, region);
-      }
+      std::optional<Error> error;
+      if (goal.kind == GoalKind::kPose) error = AskForPose(goal, limp, animation, &asked);
+      if (goal.kind == GoalKind::kPoint) error = AskForPoint(goal, figure, &asked);
+      if (error) return error;
+      if (goal.kind == GoalKind::kPose && asked.angles.empty()) return NothingLimp(goal, region);
       aim->goals.push_back(std::move(asked));
     }
     return std::nullopt;
@@ -221,7 +237,7 @@ const ProjectRegion* RegionOf(const ProjectGoal& goal, const Figure& figure,
                               const Project& project) {
   const auto region =
       std::find_if(project.regions.begin(), project.regions.end(),
-                   [&](const ProjectRegion& each) { return Moves(each, goal, figure); });
+                   [&](const ProjectRegion& each) { return Moves(each, goal, figure, project); });
   return region == project.regions.end() ? nullptr : &*region;
 }
 

@@ -200,10 +200,10 @@ class TorqueSearch {
     const std::vector<const AimGoal*> goals = GoalsAt(frame, with_earlier);
     VecX misses = MissesOf(RowsOf(goals));
     for (const AimGoal* goal : goals) {
-      if (!goal->is_point()) continue;
-      const Vec3 point = PointOf(*goal, ArrivalAt(goal->frame, *motion_), figure_);
+      if (!goal->is_place()) continue;
+      const ThrowPath path = PathOf(*goal, ArrivalAt(goal->frame, *motion_), figure_);
       misses.conservativeResize(misses.size() + 3);
-      misses.tail(3) = (point - goal->place) / goal->tolerance;
+      misses.tail(3) = OffPlace(*goal, path) / goal->tolerance;
     }
     return misses;
   }
@@ -224,7 +224,7 @@ class TorqueSearch {
     MatX all = ChangesOf(RowsOf(goals));
     DynamicsWorkspace ws(figure_);
     for (const AimGoal* goal : goals) {
-      if (!goal->is_point()) continue;
+      if (!goal->is_place()) continue;
       const MatX change = ChangeOf(goal->frame, false) * scale_.asDiagonal();
       const MotionLimit& at = ArrivalAt(goal->frame, *motion_);
       ComputePositions(figure_, at.X_WR, at.q, &ws);

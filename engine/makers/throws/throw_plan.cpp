@@ -1,31 +1,21 @@
-// An arm of length L, swung at w, gives the speed L w; swung by an angle a from where it hangs
-// down, the direction that rises at a. It swings to the region's start in t at a constant
-// acceleration, over the angle w t / 2. What w and a are comes from the throw's path
-// (throw_path.cpp), as if it began at the shoulder; ThrowTo finds it exactly.
-
 #include "engine/makers/throws/throw_plan.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "engine/analysis/object_landing.h"
 #include "engine/dynamics/kinematics.h"
 #include "engine/makers/keyed_moves.h"
 #include "engine/makers/throws/throw_path.h"
 #include "engine/project/edits/entries.h"
+#include "engine/spatial/degrees.h"
 
 namespace hazumi::makers {
 
 namespace {
 
-constexpr double kBackSeconds = 0.5, kForwardSeconds = 0.15, kFreeSeconds = 0.42,
-                 kHomeSeconds = 0.8;
-constexpr double kLeastSwing = 60.0 * kDegree, kMostSwing = 900.0 * kDegree;  // [rad/s]
-
-// The hand of an arm; a forearm without one ends in it.
-std::optional<GroupIndex> HandOf(const FigureBody& body, BodySide side) {
-  const std::optional<GroupIndex> hand = body.Find(BodyRole::kHand, side);
-  return hand ? hand : body.Find(BodyRole::kForearm, side);
-}
+constexpr double kBackSeconds = 0.5, kAfterSeconds = 0.3, kHomeSeconds = 0.9;
+constexpr double kForwardSeconds[kNumThrowStyles] = {0.38, 0.36, 0.36};
 
 // " (r_wrist or l_wrist)", as the figure's hands are called.
 std::string HandsOf(const Figure& figure) {
@@ -38,8 +28,8 @@ std::string HandsOf(const Figure& figure) {
   return hands.empty() ? hands : hands + ")";
 }
 
-Result<HolderSpan> ThrowerOf(const ProjectHeldObject& object, int frame,
-                             const ProjectFrames& frames, const Figure& figure) {
+Result<HolderSpan> ThrowerNow(const ProjectHeldObject& object, int frame,
+                              const ProjectFrames& frames, const Figure& figure) {
   const std::vector<HolderSpan> spans = HoldersOf(object, frames);
   const HolderSpan* holder = HolderAt(frame, spans);
   if (!holder) {
@@ -69,79 +59,104 @@ bool MovesLegs(const ThrowPlan& plan, const Project& project) {
 }
 
 void SetTimes(const Animation& animation, ThrowPlan* plan) {
-  plan->back = plan->start + FramesOf(kBackSeconds, 3, animation);
-  plan->region_first = plan->back + FramesOf(kForwardSeconds, 2, animation);
-  plan->forward = animation.rate.SecondsAt(plan->region_first - plan->back);
-  plan->region_last = plan->region_first + FramesOf(kFreeSeconds, 4, animation);
+  plan->wind_up = plan->start;
+  if (!plan->is_drawn_back) plan->wind_up += FramesOf(kBackSeconds, 3, animation);
+  plan->release = plan->wind_up + ForwardFrames(plan->shape.style, animation);
+  plan->region_last = plan->release + FramesOf(kAfterSeconds, 2, animation);
   plan->end = plan->region_last + FramesOf(kHomeSeconds, 4, animation);
 }
 
 }  // namespace
 
-std::vector<NamedThrowHinge> HingesOfThrow(BodySide side, const Figure& figure) {
-  const std::string own = side == BodySide::kRight ? "r_" : "l_";
-  const std::string other = side == BodySide::kRight ? "l_" : "r_";
-  const FigureBody body(figure);
-  std::vector<NamedThrowHinge> all;
-  for (const ThrowHinge& hinge : kThrowHinges) {
-    std::vector<std::string> sides = {own};
-    if (hinge.limb == ThrowLimb::kTrunk) sides = {""};
-    if (hinge.limb == ThrowLimb::kOtherArm) sides = {other};
-    if (hinge.limb == ThrowLimb::kLegs) sides = {own, other};
-    for (const std::string& of : sides) {
-      for (const HingeShare& share : body.HingesFor(of + hinge.name)) {
-        AddShare(share, hinge, figure, &all);
-      }
-    }
-  }
-  return all;
+int ForwardFrames(ThrowStyle style, const Animation& animation) {
+  return FramesOf(kForwardSeconds[static_cast<size_t>(style)], 4, animation);
 }
 
-std::optional<BodySide> SideOfHand(const std::string& holder, const Figure& figure) {
-  const std::optional<GroupIndex> joint = figure.FindGroup(holder);
+// The trunk leads.
+int ThrowPlan::swung() const { return release - std::max(1, (release - wind_up) / 6); }
+
+Vec3 CentreOn(const Vec3& spot, int object, const Animation& animation) {
+  return spot + InnerRadius(animation.held_objects[static_cast<size_t>(object)]) * Vec3::UnitZ();
+}
+
+int ThrowPlan::passes() const { return (region_last + end) / 2; }
+
+namespace {
+
+Vec3 ShoulderIn(const MotionFrame& frame, BodySide side, const Figure& figure) {
+  DynamicsWorkspace ws(figure);
+  ComputePositions(figure, frame.X_WR, frame.q, &ws);
+  const GroupIndex arm = *FigureBody(figure).Find(BodyRole::kUpperArm, side);
+  return ws.body(figure.group(arm).first).p;
+}
+
+}  // namespace
+
+ThrowShape ShapeOf(BodySide side, ThrowStyle style, const Vec3& spot, const MotionFrame& standing,
+                   const Animation& animation) {
+  constexpr double kWholeSpeed = 7.0;  // of a throw whose poses are whole [m/s]
+  constexpr double kLeastSize = 0.45;
+  const Vec3 shoulder = ShoulderIn(standing, side, *animation.figure);
+  const double g = animation.gravity;
+  const double high =
+      std::max({0.0, spot.z() - shoulder.z(), HeightOfSlowestThrow(shoulder, spot, g)});
+  const double speed = ThrowOver(shoulder, spot, high, g).velocity.norm();
+  ThrowShape shape;
+  shape.side = side;
+  shape.style = style;
+  shape.bearing = std::clamp(BearingOf(spot, shoulder, standing.X_WR), -kWidestThrow, kWidestThrow);
+  shape.size = std::clamp(speed / kWholeSpeed, kLeastSize, 1.0);
+  return shape;
+}
+
+double AngleIn(ThrowPhase phase, const NamedThrowHinge& of, const ThrowShape& shape,
+               const Figure& figure) {
+  const ThrowAngles& angles = of.hinge.At(shape.style);
+  double angle = angles[kRelease] + shape.size * (angles[phase] - angles[kRelease]);
+  if (of.hinge.is_mirrored && shape.side == BodySide::kLeft) angle = -angle;
+  // The trunk is turned to the spot as far as its hinges go.
+  angle += of.hinge.turns * shape.bearing / kDegree;
+  const Joint& joint = figure.joint(of.joint);
+  return std::clamp(angle, joint.lower / kDegree, joint.upper / kDegree);
+}
+
+std::optional<ThrowStyle> StyleDrawnBack(BodySide side, const MotionFrame& frame,
+                                         const Figure& figure) {
+  constexpr double kInFront = 0.25;  // of the shoulder [m of a shoulder 1.4 m high]
+  constexpr double kShoulderHeight = 1.4;
   const FigureBody body(figure);
-  for (const BodySide side : {BodySide::kRight, BodySide::kLeft}) {
-    const std::optional<GroupIndex> end = HandOf(body, side);
-    const bool is_of_hand =
-        joint && end && figure.IsBeyond(figure.group(*joint).first, figure.group(*end).first);
-    if (is_of_hand &&
-        body.HingeFor((side == BodySide::kRight ? "r_" : "l_") + std::string("shoulder_flexion"))) {
-      return side;
+  const std::optional<GroupIndex> hand = HandOf(body, side);
+  const std::optional<GroupIndex> arm = body.Find(BodyRole::kUpperArm, side);
+  if (!hand || !arm) return std::nullopt;
+  DynamicsWorkspace ws(figure);
+  ComputePositions(figure, frame.X_WR, frame.q, &ws);
+  const Vec3 shoulder = ws.body(figure.group(*arm).first).p;
+  const Vec3 reach = ws.body(figure.group(*hand).last()).p - shoulder;
+  const double size = shoulder.z() / kShoulderHeight;
+  if ((frame.X_WR.R * Vec3::UnitX()).dot(reach) > kInFront * size) return std::nullopt;
+  const VecX& q = frame.q;
+  double hanging = 0.0;  // sums of squares [deg^2]
+  std::array<double, kNumThrowStyles> off = {};
+  for (const NamedThrowHinge& of : HingesOfThrow(side, figure)) {
+    const std::string_view name = of.hinge.name;
+    const bool tells = name.starts_with("shoulder") || name == "elbow_flexion";
+    if (of.hinge.limb != ThrowLimb::kThrowingArm || !tells) continue;
+    const double angle = q[of.joint.value()] / kDegree;
+    hanging += angle * angle;
+    for (size_t s = 0; s < off.size(); ++s) {
+      const double there = angle - of.hinge.angles[s][kWindUp];
+      off[s] += there * there;
     }
   }
-  return std::nullopt;
+  const auto nearest = std::min_element(off.begin(), off.end());
+  if (*nearest >= hanging) return std::nullopt;
+  return static_cast<ThrowStyle>(nearest - off.begin());
 }
 
 double BearingOf(const Vec3& spot, const Vec3& from, const Pose& X_WR) {
   const Vec3 ahead = X_WR.R * Vec3::UnitX(), away = spot - from;
   return std::remainder(std::atan2(away.y(), away.x()) - std::atan2(ahead.y(), ahead.x()),
                         2.0 * EIGEN_PI);
-}
-
-Vec3 ShoulderIn(const MotionFrame& frame, GroupIndex shoulder, const Figure& figure) {
-  DynamicsWorkspace ws(figure);
-  ComputePositions(figure, frame.X_WR, frame.q, &ws);
-  return ws.body(figure.group(shoulder).first).p;
-}
-
-ThrowSwing SwingFor(const ThrowTarget& target, const Vec3& shoulder, double arm, double gravity) {
-  const Vec3& spot = target.spot;
-  const double high =
-      std::max({0.0, spot.z() - shoulder.z(),
-                target.height.value_or(HeightOfSlowestThrow(shoulder, spot, gravity))});
-  const Vec3 velocity = ThrowOver(shoulder, spot, high, gravity).velocity;
-  const double speed =
-      arm > 0.0 ? std::clamp(velocity.norm() / arm, kLeastSwing, kMostSwing) : kLeastSwing;
-  return {speed, std::atan2(velocity.z(), velocity.head<2>().norm())};
-}
-
-double SwungBy(const ThrowSwing& swing, double forward) { return 0.5 * swing.speed * forward; }
-
-int LikelyRelease(const ThrowSwing& swing, double back, double forward, const ProjectRegion& region,
-                  const Animation& animation) {
-  const double from = back + SwungBy(swing, forward);
-  const int frames = FramesOf((swing.rise - from) / swing.speed, 1, animation);
-  return std::min(region.first_frame + frames, region.last_frame);
 }
 
 Result<ThrowPlan> PlanThrow(const Animation& animation, const MotionFrame& now,
@@ -151,24 +166,25 @@ Result<ThrowPlan> PlanThrow(const Animation& animation, const MotionFrame& now,
   if (const auto error = CheckBody({"r_shoulder_flexion"}, "throw", figure)) return *error;
   ThrowPlan plan;
   plan.start = now.frame;
-  const Result<HolderSpan> holder =
-      ThrowerOf(project.held_objects[target.object], now.frame, project.frames, figure);
+  const Result<HolderSpan> holder = ThrowerNow(
+      project.held_objects[static_cast<size_t>(target.object)], now.frame, project.frames, figure);
   if (!holder.ok()) return holder.error();
   plan.holder = holder.value();
-  plan.side = *SideOfHand(plan.holder.joint, figure);
+  const BodySide side = *SideOfHand(plan.holder.joint, figure);
   const FigureBody body(figure);
-  plan.shoulder = *body.Find(BodyRole::kUpperArm, plan.side);
-  plan.pin = StandingJoint(body, plan.side, figure);
-  const Vec3 shoulder = ShoulderIn(now, plan.shoulder, figure);
-  plan.bearing = BearingOf(spot, shoulder, now.X_WR);
-  if (std::abs(plan.bearing) > kWidestThrow) {
-    return Refusal("x",
-                   "the spot is " + std::to_string(std::lround(std::abs(plan.bearing) / kDegree)) +
-                       " degrees to the side of where the figure faces; turn the figure to it");
+  plan.shoulder = *body.Find(BodyRole::kUpperArm, side);
+  plan.pin = StandingJoint(body, side, figure);
+  const double bearing = BearingOf(spot, ShoulderIn(now, side, figure), now.X_WR);
+  if (std::abs(bearing) > kWidestThrow) {
+    return Refusal("x", "the spot is " + std::to_string(std::lround(std::abs(bearing) / kDegree)) +
+                            " degrees to the side of where the figure faces; turn the figure to "
+                            "it");
   }
-  const double arm = (now.objects[target.object].X_WO.p - shoulder).norm();
   if (!(animation.gravity > 0.0)) return Refusal("object", "without gravity nothing comes down");
-  plan.swing = SwingFor(target, shoulder, arm, animation.gravity);
+  const std::optional<ThrowStyle> drawn = StyleDrawnBack(side, now, figure);
+  plan.is_drawn_back = drawn && (!target.style || target.style == drawn);
+  const ThrowStyle style = target.style.value_or(drawn.value_or(ThrowStyle::kUnderarm));
+  plan.shape = ShapeOf(side, style, CentreOn(spot, target.object, animation), now, animation);
   SetTimes(animation, &plan);
   plan.moves_legs = !plan.pin.empty() && MovesLegs(plan, project);
   return plan;

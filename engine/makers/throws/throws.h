@@ -1,7 +1,8 @@
 #pragma once
 
 // Makes and aims throws of what a figure holds: ordinary keys, a dynamics region that moves the arm
-// as it lets go, and the speeds with which the region starts.
+// from its wind-up on, and a goal: the torques with which the arm lets go of the object so that it
+// comes down on a spot.
 
 #include <optional>
 #include <string>
@@ -22,31 +23,32 @@ struct ThrowTarget {
   Vec3 spot;                     // where it is to come down, on a surface [m]
   std::optional<double> height;  // rise above the hand [m]; nothing: the throw with the least speed
                                  // that passes what stands in between
+  std::optional<ThrowStyle> style = {};  // nothing: as the throw that is there, else as the arm is
+                                         // drawn back, else underarm
 };
 
 struct ThrowReport {
-  std::string region;    // that moves the arm
-  int release = 0;       // frame in which the object is let go
-  int down = 0;          // first frame in which it lies on the spot
-  Vec3 velocity;         // of the object as it is let go, world [m/s]
-  std::string at_limit;  // joint that reaches a limit most often until then; empty: none does
-  long limit_hits = 0;   // how often joints reach limits until then
-  double work = 0.0;     // of the trials (Work)
+  std::string region;   // that moves the arm
+  int release = 0;      // frame in which the object is let go
+  int down = 0;         // first frame in which it lies on the spot
+  Vec3 velocity;        // of the object as it is let go, world [m/s]
+  double muscle = 0.0;  // largest torque as a share of what the hinge can give
 };
 struct MadeThrow {
   Project project;
   ThrowReport report;
 };
 
-// Makes a throw from how the figure stands in a frame of the motion: the arm swings back, then
-// forward, lets go in a region, and comes back. Turns a figure that only stands to a target beside
-// or behind it. `animation` and `now`: of the project. Errors: kSchema, with what to do instead;
-// kSemantics, with the distance missed; kInterrupted after too much work.
+// Makes a throw from how the figure stands in a frame of the motion: the arm is drawn back, throws
+// in a region, and comes back. An arm that is drawn back in that frame throws from there. Turns a
+// figure that only stands to a target beside or behind it. `animation` and `now`: of the project.
+// Errors: kSchema, with what to do instead; kSemantics, with the distance missed.
 Result<MadeThrow> MakeThrow(const ThrowTarget& target, const MotionFrame& now,
                             const Animation& animation, const Project& project);
 
-// Aims the next throw from `frame` on, or the last one if there is none. One that MakeThrow made
-// swings anew. `animation` and `motion`: of the project. Errors: as MakeThrow.
+// Aims the next throw from `frame` on, or the last one if there is none. Keys that MakeThrow made
+// and nobody changed become those of a throw onto the new spot; a region of the animator throws
+// from how it begins. `animation` and `motion`: of the project. Errors: as MakeThrow.
 Result<MadeThrow> AimThrow(const ThrowTarget& target, double frame, const Animation& animation,
                            const Motion& motion, const Project& project);
 

@@ -45,7 +45,7 @@ struct Wheel {
 TEST(AimSolver, MovesAParticleWithTheLeastForce) {
   Wheel wheel(400, 8);
   wheel.problem.angles = {{401, 0, 1.0}};
-  wheel.problem.rests = {{401, 0}};
+  wheel.problem.rates = {{401, 0, 0.0}};
   const AimedMotion motion = wheel.Solve();
   EXPECT_NEAR(wheel.Cost(motion), 12.0, 12.0 * 1e-4);
   EXPECT_NEAR(motion.angles(0, 201), 0.5, 1e-4);

@@ -312,6 +312,9 @@ void RenameObject(const std::string& from, const std::string& to, Project* proje
   ForEachEnd(project, [&](ProjectConstraintEnd* end) {
     if (end->object == from) end->object = to;
   });
+  for (ProjectGoal& goal : project->goals) {
+    if (goal.object == from) goal.object = to;
+  }
 }
 
 Result<Done> ExpectUnconstrained(const std::string& object, const Project& project) {

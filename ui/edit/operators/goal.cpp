@@ -6,9 +6,13 @@
 #include <set>
 #include <utility>
 
+#include "engine/analysis/object_landing.h"
+#include "engine/base/named.h"
 #include "engine/dynamics/kinematics.h"
 #include "engine/makers/aims/aims.h"
+#include "engine/makers/throws/throws.h"
 #include "engine/project/checks/joint_names.h"
+#include "engine/project/edits/goals.h"
 #include "engine/spatial/degrees.h"
 #include "ui/edit/fields/item_fields.h"
 #include "ui/edit/operators/edits.h"
@@ -39,7 +43,8 @@ const ProjectRegion* LikelyRegion(const Session& session, int frame) {
   return first;
 }
 
-// Chooses what is not given: all joints of the region there; of a point the first selected joint.
+// Chooses what is not given: all joints of the region there; of a point the first selected joint;
+// what is let go in the frame.
 void ChooseRest(const Session& session, const Parameters& p, ProjectGoal* goal) {
   const ProjectRegion* region = LikelyRegion(session, goal->frame);
   if (goal->kind == GoalKind::kPose) {
@@ -50,27 +55,43 @@ void ChooseRest(const Session& session, const Parameters& p, ProjectGoal* goal) 
     });
     return;
   }
-  if (goal->joint.empty()) goal->joint = LikelyJoint(session);
+  if (goal->kind == GoalKind::kPoint && goal->joint.empty()) goal->joint = LikelyJoint(session);
+  if (goal->kind != GoalKind::kObject || !goal->object.empty()) return;
+  const auto& objects = session.project().held_objects;
+  for (const ProjectHeldObject& object : objects) {
+    goal->object = object.name;
+    if (ThrowerOf(*goal, session.project())) return;
+  }
+  if (!objects.empty()) goal->object = objects.front().name;
 }
 
 // Fields that its kind does not have are not written.
 void DropHidden(ProjectGoal* goal) {
   const ProjectGoal other;
   if (goal->kind == GoalKind::kPose) {
-    goal->joint = other.joint;
-    goal->offset_m = other.offset_m;
     goal->position_m = other.position_m;
     goal->tolerance_m = other.tolerance_m;
   } else {
     goal->joints = other.joints;
     goal->tolerance_deg = other.tolerance_deg;
   }
+  if (goal->kind != GoalKind::kPoint) {
+    goal->joint = other.joint;
+    goal->offset_m = other.offset_m;
+  }
+  if (goal->kind == GoalKind::kObject) {
+    goal->rests = other.rests;
+  } else {
+    goal->object = other.object;
+    goal->height_m = other.height_m;
+    goal->style = other.style;
+  }
 }
 
 Result<Done> SetOwnFields(const Session& session, const Parameters& p, ProjectGoal* goal) {
   if (Result<Done> set = SetFields(p, goal); !set.ok()) return set;
   if (goal->kind == GoalKind::kPose && goal->joints.empty()) ChooseRest(session, p, goal);
-  if (goal->kind == GoalKind::kPoint) ChooseRest(session, p, goal);
+  if (goal->kind != GoalKind::kPose) ChooseRest(session, p, goal);
   DropHidden(goal);
   Resolve(session.figure(), &goal->joints);
   if (goal->kind == GoalKind::kPose && goal->joints.empty()) {
@@ -188,9 +209,43 @@ Result<Done> Take(Result<makers::MadeAim> made, const char* label, const Paramet
   return done;
 }
 
+Vec3 PlaceGiven(const Parameters& p, const ProjectGoal& goal) {
+  const Vec3& now = goal.position_m;
+  return {p.number("x", now.x()), p.number("y", now.y()), p.number("z", now.z())};
+}
+
+// Throws the object of a goal anew, onto another place if that is given.
+Result<Done> AimThrown(Session* session, const ProjectGoal& goal, const Parameters& p) {
+  const Result<const Motion*> motion = session->WholeMotion();
+  if (!motion.ok()) return motion.error();
+  const Animation& animation = *session->animation();
+  makers::ThrowTarget target;
+  for (size_t i = 0; i < animation.held_objects.size(); ++i) {
+    if (animation.held_objects[i].name != goal.object) continue;
+    target.object = static_cast<int>(i);
+    target.spot = PlaceGiven(p, goal) - InnerRadius(animation.held_objects[i]) * Vec3::UnitZ();
+    target.height = p.has("height") ? p.maybe_number("height") : goal.height_m;
+    target.style = goal.style;
+    Result<makers::MadeThrow> made =
+        makers::AimThrow(target, goal.frame, animation, *motion.value(), session->project());
+    if (!made.ok()) return made.error();
+    session->Measured("muscle", made.value().report.muscle);
+    return Put(session, "Aim", std::move(made.value().project), p.text("drag"));
+  }
+  return Refusal("object", "no held object \"" + goal.object + "\"");
+}
+
 Result<Done> Aim(Session* session, const Parameters& p) {
-  return Take(makers::MakeAim(p.text("goal"), session->project(), Figured(session)), "Aim", p,
-              session);
+  const bool is_moved = p.has("x") || p.has("y") || p.has("z");
+  Project project = session->project();
+  ProjectGoal* const goal = FindNamed(project.goals, p.text("goal"));
+  if (goal && goal->kind == GoalKind::kObject) return AimThrown(session, *goal, p);
+  if (goal && goal->kind == GoalKind::kPose && is_moved) {
+    return Refusal("x", "\"" + goal->name + "\" asks for a pose, which has no place");
+  }
+  if (p.has("height")) return Refusal("height", "only what is thrown rises to a height");
+  if (goal) goal->position_m = PlaceGiven(p, *goal);
+  return Take(makers::MakeAim(p.text("goal"), project, Figured(session)), "Aim", p, session);
 }
 
 Result<Done> Reach(Session* session, const Parameters& p) {
@@ -215,42 +270,49 @@ Result<Done> LetLoose(Session* session, const Parameters& p) {
 }  // namespace
 
 std::vector<Operator> GoalOperators() {
-  return {{"goal.add", "Add goal",
-           "Adds what is to come true in a frame: joints meet their keys, or a point of the body "
-           "a place. Default: the current frame; all joints that a region moves there.",
-           Requiring({"kind"}, FieldsOf<ProjectGoal>()), AddGoal},
-          {"goal.set", "Change goal", "Changes what is given of a goal.",
-           Joined({{kGoal}, FieldsOf<ProjectGoal>(), {kDrag}}), SetGoal},
-          {"goal.remove",
-           "Remove goal",
-           "Takes a goal away, and the torques that aims found for its region.",
-           {kGoal},
-           RemoveGoal},
-          {"goal.aim",
-           "Aim",
-           "Finds torques for the limp joints of the region, as little as possible, with which "
-           "its motion meets this goal and the region's others. Where the joints arrive by "
-           "themselves they get none.",
-           {kGoal},
-           Aim},
-          {"goal.reach",
-           "Reach",
-           "The tip of a joint's limb reaches a point in a frame: adds a goal, a dynamics region "
-           "of ten frames if none moves the limb there, and aims. Default: the first selected "
-           "joint; the current frame.",
-           {{"joint", kText, false, "the outermost joint of the limb, a wrist", Thing::kJoint},
-            {"x", kNumber, true, "of the point"},
-            {"y", kNumber, true, "of the point"},
-            {"z", kNumber, true, "of the point"},
-            {"frame", kInteger, false, "not given: the current one"},
-            {"rests", kYesNo, false, "true: what moves there stands still in that frame"},
-            kDrag},
-           Reach},
-          {"goal.let_loose",
-           "Let loose",
-           "Takes away the torques that aims found for a region.",
-           {kOfRegion},
-           LetLoose}};
+  return {
+      {"goal.add", "Add goal",
+       "Adds what is to come true in a frame: joints meet their keys, or a point of the body "
+       "a place. Default: the current frame; all joints that a region moves there.",
+       Requiring({"kind"}, FieldsOf<ProjectGoal>()), AddGoal},
+      {"goal.set", "Change goal", "Changes what is given of a goal.",
+       Joined({{kGoal}, FieldsOf<ProjectGoal>(), {kDrag}}), SetGoal},
+      {"goal.remove",
+       "Remove goal",
+       "Takes a goal away, and the torques that aims found for its region.",
+       {kGoal},
+       RemoveGoal},
+      {"goal.aim",
+       "Aim",
+       "Finds torques for the limp joints of the region, as little as possible, with which "
+       "its motion meets this goal and the region's others. Where the joints arrive by "
+       "themselves they get none. An object is thrown anew: the arm's keys are found with which "
+       "it comes down on its spot.",
+       {kGoal,
+        {"x", kNumber, false, "where its place goes before; not given: it stays"},
+        {"y", kNumber, false, "where its place goes before; not given: it stays"},
+        {"z", kNumber, false, "where its place goes before; not given: it stays"},
+        {"height", kNumber, false, "how far what is thrown rises above the hand, metres"},
+        kDrag},
+       Aim},
+      {"goal.reach",
+       "Reach",
+       "The tip of a joint's limb reaches a point in a frame: adds a goal, a dynamics region "
+       "of ten frames if none moves the limb there, and aims. Default: the first selected "
+       "joint; the current frame.",
+       {{"joint", kText, false, "the outermost joint of the limb, a wrist", Thing::kJoint},
+        {"x", kNumber, true, "of the point"},
+        {"y", kNumber, true, "of the point"},
+        {"z", kNumber, true, "of the point"},
+        {"frame", kInteger, false, "not given: the current one"},
+        {"rests", kYesNo, false, "true: what moves there stands still in that frame"},
+        kDrag},
+       Reach},
+      {"goal.let_loose",
+       "Let loose",
+       "Takes away the torques that aims found for a region.",
+       {kOfRegion},
+       LetLoose}};
 }
 
 }  // namespace hazumi::edit

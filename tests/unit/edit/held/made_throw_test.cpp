@@ -167,7 +167,8 @@ TEST(AddThrow, AimedAnewItIsTheThrowThatIsMadeThereAtOnce) {
       const auto ball = [&](Session* session) {
         return ThrowMotion(session).frames[i].objects[0].X_WO.p;
       };
-      EXPECT_LE((ball(&again) - ball(&at_once)).norm(), 0.02) << wanted.spot.transpose() << i;
+      EXPECT_LE((ball(&again) - ball(&at_once)).norm(), 0.02)
+          << wanted.spot.transpose() << " " << wanted.height.value_or(0) << " frame " << i;
     }
   }
 }

@@ -41,15 +41,22 @@ double Depth(const MotionFrame& frame, double radius, const Figure& figure,
 }
 
 TEST(AddThrow, TheBallDoesNotGoThroughTheHand) {
-  constexpr double kRadius = 0.037, kSkinGives = 0.005;  // [m]
-  for (const char* hand : {"r_wrist", "l_wrist"}) {
+  constexpr double kRadius = 0.037;  // [m]
+  struct Case {
+    const char *hand, *style;
+    double skin_gives;  // [m]
+  };
+  for (const auto& [hand, style, skin_gives] :
+       {Case{"r_wrist", "underarm", 0.005}, Case{"l_wrist", "underarm", 0.005},
+        Case{"r_wrist", "overarm", 0.008}, Case{"r_wrist", "push", 0.008}}) {
     for (const Vec3& spot : {Vec3(1.5, -0.4, 0.0), Vec3(2.2, 0.0, 0.0), Vec3(3.0, 0.8, 0.0),
                              Vec3(4.5, 0.0, 0.0), Vec3(1.8, -1.5, 0.5)}) {
-      SCOPED_TRACE(std::string(hand) + ", " + std::to_string(spot.x()) + " m ahead");
+      SCOPED_TRACE(std::string(style) + " by " + hand + ", " + std::to_string(spot.x()) +
+                   " m ahead");
       Session session;
       Do(&session, "held.add_ball", {{"joint", hand}});
       Do(&session, "throw.add",
-         {{"object", "ball"}, {"x", spot.x()}, {"y", spot.y()}, {"z", spot.z()}});
+         {{"object", "ball"}, {"x", spot.x()}, {"y", spot.y()}, {"z", spot.z()}, {"style", style}});
       const FigureSkin skin = SkinOf(session.figure());
       const Motion& motion = ThrowMotion(&session);
       const auto let_go = std::find_if(motion.frames.begin(), motion.frames.end(),
@@ -60,7 +67,7 @@ TEST(AddThrow, TheBallDoesNotGoThroughTheHand) {
       EXPECT_LT(held, 0.012);
       EXPECT_LT(Depth(*(let_go + 1), kRadius, session.figure(), skin), held);
       for (int i = 1; i < 5; ++i) {
-        EXPECT_LT(Depth(*(let_go + i), kRadius, session.figure(), skin), kSkinGives) << i;
+        EXPECT_LT(Depth(*(let_go + i), kRadius, session.figure(), skin), skin_gives) << i;
       }
     }
   }

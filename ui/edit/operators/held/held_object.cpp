@@ -123,6 +123,8 @@ Result<Done> RemoveHeld(Session* session, const Parameters& p) {
     if (Result<Done> free = ExpectUnconstrained(p.text("object"), *project); !free.ok()) {
       return free;
     }
+    std::erase_if(project->goals,
+                  [&](const ProjectGoal& goal) { return goal.object == p.text("object"); });
     objects.erase(objects.begin() + (object.value() - objects.data()));
     return Done();
   });

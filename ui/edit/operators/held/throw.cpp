@@ -1,6 +1,8 @@
 // Throws of held objects that are made (MakeThrow) and aimed (AimThrow).
 
 #include "engine/makers/throws/throws.h"
+#include "engine/project/enum_names.h"
+#include "ui/edit/fields/item_fields.h"
 #include "ui/edit/operators/edits.h"
 
 namespace hazumi::edit {
@@ -13,16 +15,24 @@ Result<makers::ThrowTarget> TargetOf(const Session& session, const Parameters& p
   std::vector<ProjectHeldObject> objects = session.project().held_objects;
   const Result<ProjectHeldObject*> object = EntryNamed(p.text("object"), "object", &objects);
   if (!object.ok()) return object.error();
-  return makers::ThrowTarget{static_cast<int>(object.value() - objects.data()),
-                             Vec3(p.number("x"), p.number("y"), p.number("z")),
-                             p.maybe_number("height")};
+  makers::ThrowTarget target;
+  target.object = static_cast<int>(object.value() - objects.data());
+  target.spot = {p.number("x"), p.number("y"), p.number("z")};
+  target.height = p.maybe_number("height");
+  if (!p.has("style")) return target;
+  for (const auto& style : EnumNames<ThrowStyle>::kNames) {
+    if (p.text("style") == style.name) target.style = style.value;
+  }
+  if (target.style) return target;
+  return Refusal("style",
+                 "no style \"" + p.text("style") + "\"; expected one of: " + WordsOf<ThrowStyle>());
 }
 
 void Tell(const makers::ThrowReport& report, Session* session) {
   session->Measured("release_frame", report.release);
   session->Measured("down_frame", report.down);
   session->Measured("speed_m_s", report.velocity.norm());
-  session->Measured("limit_hits", static_cast<double>(report.limit_hits));
+  session->Measured("muscle", report.muscle);
 }
 
 Result<Done> AddThrow(Session* session, const Parameters& p) {
@@ -58,18 +68,21 @@ std::vector<Operator> ThrowOperators() {
       {"y", kNumber, true, "the spot, metres"},
       {"z", kNumber, false, "the spot, metres; not given: 0"},
       {"height", kNumber, false, "how far it rises above the hand, metres"},
+      {"style", kText, false, "not given: as the arm is drawn back, or underarm",
+       WordsOf<ThrowStyle>()},
       kDrag};
-  return {{"held.throw_onto", "Throw onto",
-           "Aims a throw: the dynamics region that moves the arm as it lets go starts as fast as "
-           "it has to for the object to come down on a spot, where it lies then. Not given how "
-           "high: as slowly as it gets there past what stands in between.",
-           parameters, ThrowOnto},
-          {"throw.add", "Add throw",
-           "Makes a throw of what a hand holds in the current frame onto a spot: the arm swings "
-           "back, a dynamics region lets it swing forward and let go. Not given how high: as "
-           "slowly as it gets there past what stands in between. A figure that only stands is "
-           "turned to the spot.",
-           parameters, AddThrow}};
+  return {
+      {"held.throw_onto", "Throw onto",
+       "Aims a throw: finds the swing of the arm with which the object comes down on a spot, "
+       "where it lies then; once it has let go the dynamics region moves the arm. Not given how "
+       "high: as slowly as it gets there past what stands in between.",
+       parameters, ThrowOnto},
+      {"throw.add", "Add throw",
+       "Makes a throw of what a hand holds in the current frame onto a spot: the arm is drawn "
+       "back, if it is not yet, and swings by keys; once it has let go a dynamics region moves "
+       "it. Not given how high: as slowly as it gets there past what stands in between. A "
+       "figure that only stands is turned to the spot.",
+       parameters, AddThrow}};
 }
 
 }  // namespace hazumi::edit

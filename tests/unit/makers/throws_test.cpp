@@ -1,0 +1,263 @@
+// Throws that are made, of each style, near and far: where the object comes down, and what the
+// figure does meanwhile.
+
+#include "engine/makers/throws/throws.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "engine/bake/bake.h"
+#include "engine/collision/distance.h"
+#include "engine/dynamics/kinematics.h"
+#include "engine/project/compile.h"
+#include "engine/project/project_writer.h"
+#include "engine/spatial/degrees.h"
+#include "tests/unit/edit/held/throws.h"
+
+namespace hazumi::test {
+namespace {
+
+using edit::Session;
+
+// Pairs of links of a figure, neither of them neighbours nor in each other at rest.
+class OwnBody {
+ public:
+  explicit OwnBody(const Figure& figure) : figure_(figure) {
+    const std::vector<Capsule> rest = At(Pose(), VecX::Zero(figure.num_joints()));
+    for (size_t a = 0; a < rest.size(); ++a) {
+      for (size_t b = a + 1; b < rest.size(); ++b) {
+        if (AreNeighbours(a, b) || SignedDistance(rest[a], rest[b]).value < 0.0) continue;
+        pairs_.emplace_back(a, b);
+      }
+    }
+  }
+
+  // Largest depth of a link in another one [m], and which they are.
+  double Depth(const MotionFrame& frame, std::string* which) const {
+    const std::vector<Capsule> now = At(frame.X_WR, frame.after.q);
+    double deepest = 0.0;
+    for (const auto& [a, b] : pairs_) {
+      const double depth = -SignedDistance(now[a], now[b]).value;
+      if (depth <= deepest) continue;
+      deepest = depth;
+      *which = NameOf(a) + " in " + NameOf(b);
+    }
+    return deepest;
+  }
+
+ private:
+  std::string NameOf(size_t link) const {
+    const JointIndex j = figure_.links()[link].joint;
+    return j.is_valid() ? figure_.group(figure_.joint(j).group).name : "root";
+  }
+  bool AreNeighbours(size_t a, size_t b) const {
+    const auto group = [&](JointIndex j) {
+      return j.is_valid() ? figure_.joint(j).group.value() : -1;
+    };
+    const auto above = [&](JointIndex j) {
+      if (!j.is_valid()) return -2;
+      const JointIndex first = figure_.group(figure_.joint(j).group).first;
+      return group(figure_.joint(first).parent);
+    };
+    const JointIndex i = figure_.links()[a].joint, j = figure_.links()[b].joint;
+    return group(i) == group(j) || above(i) == group(j) || above(j) == group(i);
+  }
+  std::vector<Capsule> At(const Pose& X_WR, const VecX& q) const {
+    DynamicsWorkspace ws(figure_);
+    ComputePositions(figure_, X_WR, q, &ws);
+    std::vector<Capsule> all;
+    for (const Link& link : figure_.links()) {
+      const Pose X =
+          link.joint.is_valid() ? Pose{ws.body(link.joint).R, ws.body(link.joint).p} : X_WR;
+      all.push_back({X * link.capsule.a, X * link.capsule.b, link.capsule.radius});
+    }
+    return all;
+  }
+
+  const Figure& figure_;
+  std::vector<std::pair<size_t, size_t>> pairs_;
+};
+
+struct Case {
+  ThrowStyle style;
+  Vec3 spot;
+  bool has_box = false;  // in between
+};
+
+// 20 spots at 1 to 8 m for each style, up to 25 degrees to either side, every fourth on a table.
+std::vector<Case> Cases() {
+  constexpr int kSpots = 20;
+  std::vector<Case> cases;
+  for (const ThrowStyle style : {ThrowStyle::kUnderarm, ThrowStyle::kOverarm, ThrowStyle::kPush}) {
+    for (int i = 0; i < kSpots; ++i) {
+      const double away = 1.0 + 7.0 * i / (kSpots - 1);
+      const double side = 12.5 * kDegree * ((i * 7) % 5 - 2);
+      const double up = i % 4 == 3 ? 0.6 : 0.0;
+      cases.push_back({style, {away * std::cos(side), away * std::sin(side), up}, i % 7 == 5});
+    }
+  }
+  return cases;
+}
+
+void AddBox(const char* name, const Vec3& middle, const Vec3& size, Session* session) {
+  Do(session, "object.add_box",
+     {{"name", name},
+      {"x", middle.x()},
+      {"y", middle.y()},
+      {"z", middle.z()},
+      {"size_x", size.x()},
+      {"size_y", size.y()},
+      {"size_z", size.z()}});
+}
+
+// What a figure does at most in a motion.
+struct Most {
+  double rate = 0.0, beyond = 0.0, depth = 0.0;  // [rad/s, rad, m]
+  std::string fastest, deepest;
+};
+Most MostOf(const Motion& motion, const Figure& figure) {
+  const OwnBody own(figure);
+  Most most;
+  for (const MotionFrame& frame : motion.frames) {
+    for (int j = 0; j < figure.num_joints(); ++j) {
+      const Joint& joint = figure.joint(JointIndex(j));
+      for (const MotionLimit* at : {&frame.before, &frame.after}) {
+        most.beyond = std::max({most.beyond, at->q[j] - joint.upper, joint.lower - at->q[j]});
+        if (std::abs(at->qd[j]) <= most.rate) continue;
+        most.rate = std::abs(at->qd[j]);
+        most.fastest = joint.name;
+      }
+    }
+    std::string which;
+    const double depth = own.Depth(frame, &which);
+    if (depth <= most.depth) continue;
+    most.depth = depth;
+    most.deepest = which;
+  }
+  return most;
+}
+
+TEST(Throws, OfEachStyleComeDownOnTheSpotWithoutHarm) {
+  std::vector<double> times, muscle;  // [ms]
+  double worst = 0.0;
+  for (const Case& wanted : Cases()) {
+    SCOPED_TRACE(std::string(NameOf(wanted.style)) + ", " + std::to_string(wanted.spot.norm()) +
+                 " m");
+    Session session;
+    AddBall(&session);
+    const Vec3& spot = wanted.spot;
+    if (wanted.has_box) {
+      AddBox("box", Vec3(0.55 * spot.x(), 0.55 * spot.y(), 0.4), {0.3, 0.8, 0.8}, &session);
+    }
+    if (spot.z() > 0.0) {
+      AddBox("table", spot - Vec3(0.0, 0.0, 0.05), {0.4, 0.4, 0.1}, &session);
+    }
+    makers::ThrowTarget target;
+    target.spot = spot;
+    target.style = wanted.style;
+    const MotionFrame now = ThrowMotion(&session).frames[0];
+    const auto start = std::chrono::steady_clock::now();
+    const auto made = makers::MakeThrow(target, now, *session.animation(), session.project());
+    const auto took = std::chrono::steady_clock::now() - start;
+    times.push_back(std::chrono::duration<double, std::milli>(took).count());
+    ASSERT_TRUE(made.ok()) << made.error().ToString();
+    const makers::ThrowReport& report = made.value().report;
+    muscle.push_back(report.muscle);
+    const Animation animation = CompileAnimation(made.value().project).value().animation;
+    const Motion motion = Bake(animation).value();
+    const Vec3 lies = spot + Vec3(0.0, 0.0, 0.037);
+    const double miss = (LandsAt(motion, report.release, lies.z()) - lies).norm();
+    worst = std::max(worst, miss);
+    EXPECT_LE(miss, 0.005);
+    for (int f = report.release; wanted.has_box && f < report.down; ++f) {
+      const Vec3 p = BallIn(motion, f) - Vec3(0.55 * spot.x(), 0.55 * spot.y(), 0.4);
+      EXPECT_FALSE(std::abs(p.x()) < 0.15 && std::abs(p.y()) < 0.4 && std::abs(p.z()) < 0.4) << f;
+    }
+    const Most most = MostOf(motion, *animation.figure);
+    EXPECT_LE(most.rate, 1500.0 * kDegree) << most.fastest;
+    EXPECT_LE(most.beyond, 0.1 * kDegree);
+    EXPECT_LE(most.depth, 0.01) << most.deepest;
+  }
+  std::sort(times.begin(), times.end());
+  std::sort(muscle.begin(), muscle.end());
+  std::printf(
+      "%zu throws: median %.0f ms, longest %.0f ms; largest miss %.2f mm; of what muscles can give "
+      "median %.0f %%, most %.0f %%\n",
+      times.size(), times[times.size() / 2], times.back(), 1000.0 * worst,
+      100.0 * muscle[muscle.size() / 2], 100.0 * muscle.back());
+}
+
+// 60 moves of half a metre in all; each is one edit of the project, with its bake up to the spot.
+TEST(Throws, FollowASpotThatIsDragged) {
+  constexpr int kMoves = 60;
+  Session session;
+  AddBall(&session);
+  Do(&session, "throw.add", Onto(Vec3(2.5, 0.2, 0.0)));
+  const std::string before = WriteProject(session.project());
+  std::vector<double> times;
+  for (int i = 1; i <= kMoves; ++i) {
+    const Vec3 spot(2.5 + 0.5 * i / kMoves, 0.2, 0.0);
+    edit::Json onto = Onto(spot);
+    onto["drag"] = "spot";
+    const auto start = std::chrono::steady_clock::now();
+    Do(&session, "held.throw_onto", onto);
+    const Motion& motion = ThrowMotion(&session);
+    const auto took = std::chrono::steady_clock::now() - start;
+    times.push_back(std::chrono::duration<double, std::milli>(took).count());
+    const Vec3 lies = spot + Vec3(0.0, 0.0, 0.037);
+    EXPECT_LE((LandsAt(motion, ReleaseOf(session), lies.z()) - lies).norm(), 0.005) << i;
+  }
+  Do(&session, "edit.undo");
+  EXPECT_EQ(WriteProject(session.project()), before);
+  std::sort(times.begin(), times.end());
+  std::printf("%d moves: median %.0f ms, longest %.0f ms\n", kMoves, times[kMoves / 2],
+              times.back());
+}
+
+// An arm that is drawn back in the frame of the throw keeps its pose.
+TEST(Throws, BeginWithAWindUpThatIsThere) {
+  Session session;
+  AddBall(&session);
+  const std::pair<const char*, double> pose[] = {{"r_shoulder_flexion", 95.0},
+                                                 {"r_shoulder_rotation", 10.0},
+                                                 {"r_shoulder_abduction", 90.0},
+                                                 {"r_elbow_flexion", 95.0}};
+  for (const auto& [hinge, angle] : pose) {
+    Do(&session, "key.set", {{"curve", hinge}, {"frame", 0}, {"value", 0}});
+    Do(&session, "key.set", {{"curve", hinge}, {"frame", 12}, {"value", angle}});
+  }
+  Do(&session, "time.frame", {{"frame", 12}});
+  Do(&session, "throw.add", Onto(Vec3(3.0, 0.0, 0.0)));
+  ASSERT_EQ(session.project().goals.size(), 1u);
+  EXPECT_EQ(session.project().goals[0].style, ThrowStyle::kOverarm);
+  const Motion& motion = ThrowMotion(&session);
+  for (const auto& [hinge, angle] : pose) {
+    const JointIndex j = *session.figure().FindJoint(hinge);
+    EXPECT_NEAR(motion.frames[12].q[j.value()], angle * kDegree, 1e-9) << hinge;
+  }
+  EXPECT_LE(ReleaseOf(session), 12 + 15);
+}
+
+// A goal of kind object says where it comes down; aimed again, the throw follows it.
+TEST(Throws, FollowTheirGoal) {
+  Session session;
+  AddBall(&session);
+  Do(&session, "throw.add", Onto(Vec3(2.0, 0.2, 0.0)));
+  const Vec3 place(2.6, -0.2, 0.037);
+  Do(&session, "goal.set",
+     {{"goal", "throw"}, {"position_x", place.x()}, {"position_y", place.y()}, {"height", 1.0}});
+  Do(&session, "goal.aim", {{"goal", "throw"}});
+  const Motion& motion = ThrowMotion(&session);
+  EXPECT_LE((LandsAt(motion, ReleaseOf(session), place.z()) - place).norm(), 0.005);
+  EXPECT_NEAR(RiseOf(motion, ReleaseOf(session)), 1.0, 0.02);
+  Do(&session, "held.set", {{"object", "ball"}, {"name", "apple"}});
+  EXPECT_EQ(session.project().goals[0].object, "apple");
+  Do(&session, "held.remove", {{"object", "apple"}});
+  EXPECT_TRUE(session.project().goals.empty());
+}
+
+}  // namespace
+}  // namespace hazumi::test
