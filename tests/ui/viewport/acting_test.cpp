@@ -4,6 +4,7 @@
 
 #include "tests/ui/viewport/objects.h"
 #include "ui/panels/dope_sheet/bars.h"
+#include "ui/panels/viewport/goal_marks.h"
 
 namespace hazumi::test {
 namespace {

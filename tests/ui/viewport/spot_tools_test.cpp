@@ -81,6 +81,37 @@ TEST_F(Objects, AHandReachesTheSpotUnderTheMouseInTheFrameShown) {
   EXPECT_LT((user.project().goals[0].position_m - spot).norm(), 0.05);
 }
 
+// The ring of the spot is dragged, and the throw follows; Escape or undo brings it back.
+TEST_F(Objects, TheSpotOfAThrowIsDragged) {
+  Do("held.add_ball", {{"joint", "r_wrist"}});
+  Do("throw.add", {{"object", "ball"}, {"x", 0.9}, {"y", 0.5}});
+  Do("time.frame", {{"frame", user.project().goals[0].frame}});
+  const size_t steps = user.num_steps();
+  const std::string before = user.text();
+  const Vec3 from = user.project().goals[0].position_m, to(1.1, 0.8, from.z());
+  user.MoveTo(InWindow(from));
+  user.Drag(InWindow(from), InWindow(to));
+  EXPECT_EQ(user.num_steps(), steps + 1);
+  const Vec3 place = user.project().goals[0].position_m;
+  EXPECT_LT((place - to).norm(), 0.1);
+  const Result<const Motion*> motion = user.session().WholeMotion();
+  ASSERT_TRUE(motion.ok());
+  EXPECT_LE((motion.value()->frames.back().objects[0].X_WO.p - place).norm(), 1e-6);
+  Do("edit.undo", edit::Json::object());
+  EXPECT_EQ(user.text(), before);
+}
+
+TEST_F(Throwing, SChangesTheStyle) {
+  const Vec3 spot(1.2, -0.3, 0.5);
+  user.MoveTo(InWindow(spot));
+  user.Press('T');
+  user.MoveTo(InWindow(spot));
+  user.Press('S');
+  user.Click(InWindow(spot));
+  ASSERT_EQ(user.project().goals.size(), 1u);
+  EXPECT_EQ(user.project().goals[0].style, ThrowStyle::kOverarm);
+}
+
 // From nothing but a ball in a hand.
 TEST_F(Objects, TMakesAThrowOfWhatAHandHolds) {
   Do("held.add_ball", {{"joint", "r_wrist"}});

@@ -52,10 +52,10 @@ const std::vector<ManualPart>& ManualParts() {
         "among its properties, bounces and rolls then. Scene > Add mesh does the same with a "
         "thing of another program. Shift+A over the viewport opens all that can be added; while a "
         "box is drawn its edges can be typed, with Tab between them.",
-        "T throws what a hand holds: point at where it is to come down and click. Backswing, "
-        "dynamics region and follow-through are made from the current frame on. Where a region "
-        "moves the arm as it lets go already, T aims it: it starts as fast as it has to, over "
-        "what stands in between.",
+        "T throws what a hand holds: point at where it is to come down and click; S chooses "
+        "underarm, overarm or push. The arm is drawn back, throws, and swings on in a dynamics "
+        "region; an arm that is drawn back already throws from there. On a throw T aims it again, "
+        "over what stands in between.",
         "J begins a jump: point at where it is to land and click. Crouch, take-off, apex and "
         "landing become keys like any others; between take-off and landing gravity has the "
         "figure. On a frame of a jump J aims it again. How high is typed, for T and J alike."}},

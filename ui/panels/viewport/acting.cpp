@@ -110,27 +110,6 @@ std::vector<ForceMark> ForceMarks(const Animation& animation, const PosedFigure&
   return marks;
 }
 
-std::vector<GoalMark> GoalMarks(const Project& project, const PosedFigure& figure) {
-  std::vector<GoalMark> marks;
-  const double fps = static_cast<double>(project.fps.num) / project.fps.den;
-  for (size_t i = 0; i < project.goals.size(); ++i) {
-    const ProjectGoal& goal = project.goals[i];
-    const int frames = goal.frame - figure.frame().frame;
-    if (goal.kind != GoalKind::kPoint || frames < 0 || frames > fps) continue;
-    const auto joints = FindJoints(figure.figure(), goal.joint);
-    if (!joints) continue;
-    const hazumi::Pose body = figure.PoseOf(JointIndex(joints->end.value() - 1));
-    marks.push_back({static_cast<int>(i), frames, body * goal.offset_m, goal.position_m});
-  }
-  return marks;
-}
-
-std::string TextOf(const GoalMark& mark, const Project& project) {
-  const std::string name = project.goals[static_cast<size_t>(mark.index)].name + ": ";
-  if (mark.frames > 0) return name + Filled(Tr("in %d frames"), mark.frames);
-  return name + Filled(Tr("%.1f cm off"), 100.0 * (mark.point - mark.place).norm());
-}
-
 std::string TextOf(const ForceMark& mark) {
   switch (mark.kind) {
     case ForceKind::kWind:

@@ -38,17 +38,6 @@ std::vector<ForceMark> ForceMarks(const Animation& animation, const PosedFigure&
 // "8.0 m/s"
 std::string TextOf(const ForceMark& mark);
 
-// Goal of kind point: its point now, and where that is to be.
-struct GoalMark {
-  int index = 0;      // of Project::goals
-  int frames = 0;     // until then; 0 in its frame
-  Vec3 point, place;  // [m]
-};
-// Goals of the last second before their frames.
-std::vector<GoalMark> GoalMarks(const Project& project, const PosedFigure& figure);
-// "reach: in 4 frames", "reach: 0.2 cm off"
-std::string TextOf(const GoalMark& mark, const Project& project);
-
 // The nearest one whose line is within reach, or null.
 const ConstraintMark* ConstraintAt(const View& view, Point at,
                                    const std::vector<ConstraintMark>& marks, double scale);

@@ -5,6 +5,7 @@
 #include "ui/panels/dope_sheet/bars.h"
 #include "ui/panels/viewport/acting.h"
 #include "ui/panels/viewport/contact_marks.h"
+#include "ui/panels/viewport/goal_marks.h"
 #include "ui/panels/viewport/marks.h"
 #include "ui/panels/viewport/scene.h"
 
@@ -64,20 +65,6 @@ void Draw(const Editor& editor, const View& view, const ForceMark& mark) {
                  TextOf(mark).c_str());
 }
 
-// A ring around the place, and a line to it from the point that is to be there.
-void Draw(const Editor& editor, const View& view, const GoalMark& mark) {
-  const auto point = view.ToWindow(mark.point), place = view.ToWindow(mark.place);
-  if (!point || !place) return;
-  const ImU32 color = ToIm(colors::kGoal), edge = ToIm(colors::kShade, 0.8f);
-  const float width = Px(editor, 2.0), radius = Px(editor, 7.0);
-  DrawDashedLine(*point, *place, color, width);
-  Canvas()->AddCircle(ToIm(*place), radius, edge, 24, 2.0f * width);
-  Canvas()->AddCircle(ToIm(*place), radius, color, 24, width);
-  Canvas()->AddCircleFilled(ToIm(*place), Px(editor, 2.5), color, 16);
-  DrawShadedText({place->x + 1.5f * radius, place->y - ImGui::GetTextLineHeight()},
-                 TextOf(mark, editor.session().project()).c_str());
-}
-
 // None while they are hidden, or nothing is known of the motion.
 std::vector<ConstraintMark> MarksNow(Editor* editor, const PosedFigure& figure) {
   edit::Session& session = editor->session();
@@ -100,9 +87,7 @@ void DrawActing(Editor* editor, const View& view, const PosedFigure& figure) {
   const Project& project = editor->session().project();
   DrawContacts(editor, view, figure);
   for (const ForceMark& mark : ForcesNow(editor, figure)) Draw(*editor, view, mark);
-  if (editor->viewport.overlays.forces) {
-    for (const GoalMark& mark : GoalMarks(project, figure)) Draw(*editor, view, mark);
-  }
+  DrawGoals(editor, view, figure);
   const std::optional<BarRef> chosen = ChosenBar(project, editor->sheet);
   for (const ConstraintMark& mark : MarksNow(editor, figure)) {
     Draw(*editor, view, mark, chosen == BarRef{BarKind::kConstraint, mark.index});
@@ -119,6 +104,8 @@ std::string ActingAt(Editor* editor, const View& view, const PosedFigure& figure
   const std::vector<ForceMark> forces = ForcesNow(editor, figure);
   const ForceMark* force = ForceAt(view, mouse, forces, scale);
   if (force) return project.forces[force->index].name + ": " + TextOf(*force);
+  const auto part = GoalPartAt(view, mouse, GoalMarksNow(editor, figure), project, scale);
+  if (part) return part->goal + ": " + Tr("drag it, and it is aimed again");
   return ContactAt(editor, view, figure, mouse);
 }
 

@@ -5,6 +5,7 @@
 #include "ui/panels/viewport/acting.h"
 #include "ui/panels/viewport/actions.h"
 #include "ui/panels/viewport/camera.h"
+#include "ui/panels/viewport/goal_marks.h"
 #include "ui/panels/viewport/hit_test.h"
 #include "ui/panels/viewport/popups.h"
 #include "ui/panels/viewport/swivel_handle.h"
@@ -97,7 +98,9 @@ void Press(Editor* editor, const View& view, const PosedFigure& figure) {
   const bool on_other = !handle.empty() && !IsSelected(editor->session(), hit);
   const bool on_gizmo =
       !on_swivel && !on_other && GizmoUnder(*editor, view, figure, at).has_value();
-  editor->viewport.press = ViewportPress{at, handle, on_gizmo, on_swivel, hit.object};
+  const auto goal = GoalPartAt(view, at, GoalMarksNow(editor, figure), editor->session().project(),
+                               editor->settings.scale);
+  editor->viewport.press = ViewportPress{at, handle, on_gizmo, on_swivel, hit.object, goal};
 }
 
 // The button is down: a ring or a limit that is pulled turns its hinge, a handle drags its limb,
@@ -107,6 +110,7 @@ void Pull(Editor* editor, const View& view, const PosedFigure& figure) {
   const Point at = FromIm(ImGui::GetIO().MousePos);
   if (std::hypot(at.x - press.at.x, at.y - press.at.y) < kDragPx) return;
   editor->viewport.press.reset();
+  if (press.goal) return TakeGoalTool(editor, *press.goal, {press.at});
   if (press.on_gizmo) {
     const auto part = GizmoUnder(*editor, view, figure, press.at);
     if (!part) return;

@@ -165,7 +165,8 @@ std::vector<Action> ObjectActions() {
       {"tool.throw",
        "Throw",
        "Throws the selected held object onto the spot under the mouse: makes the throw or, where "
-       "a dynamics region moves the arm as it lets go, aims it. How high it rises may be typed.",
+       "a dynamics region moves the arm as it lets go, aims it. S changes the style; how high it "
+       "rises may be typed.",
        {},
        [](Editor* editor, const edit::Parameters&) { return TakeThrowTool(editor); }},
       {"tool.aim",

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/project/item_id.h"
+#include "engine/spatial/types.h"
 #include "render/scene/camera.h"
 #include "render/scene/color.h"
 #include "ui/panels/window/geometry.h"
@@ -69,6 +70,13 @@ struct ShownPicture {
   std::vector<PathTicks> ticks;
 };
 
+// Part of a goal's mark, which can be dragged.
+struct GoalPart {
+  std::string goal;
+  bool is_top = false;  // of the arc, else the place
+  Vec3 at;              // [m]
+};
+
 // A mouse button that went down on the viewport and has not come up yet.
 struct ViewportPress {
   Point at;
@@ -76,6 +84,7 @@ struct ViewportPress {
   bool on_gizmo = false;   // a ring or the end of a limit is
   bool on_swivel = false;  // the handle that turns a limb about its own axis is
   ItemId object;           // under it
+  std::optional<GoalPart> goal;
 };
 
 // Small windows that the right button opens: what can be done with what is under the mouse. And

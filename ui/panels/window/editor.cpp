@@ -164,14 +164,20 @@ AimAnswer AnswerOf(const edit::Session& session) {
   if (measured("loose") > 0.0) return {Tr("Arrives by itself, without muscle.")};
   const double muscle = measured("muscle");
   if (muscle == 0.0) return {Tr("Arrives.")};
+  const bool is_caution = muscle > 1.0;
+  const std::string percent = FormatShort(100.0 * muscle);
+  if (!FindNamed(session.outcome().measured, "strongest")) {
+    const char* text = is_caution ? "Arrives, but asks for %s %% of what muscles can give."
+                                  : "Arrives with %s %% of what muscles can give, at most.";
+    return {Filled(Tr(text), percent.c_str()), is_caution};
+  }
   const std::string joint =
       session.figure().joint(JointIndex(static_cast<int>(measured("strongest")))).name;
-  const char* text = muscle > 1.0
-                         ? "Arrives, but asks for %s %% of what muscles can give (%s, F%d)."
-                         : "Arrives with %s %% of what muscles can give, at most (%s, F%d).";
-  return {Filled(Tr(text), FormatShort(100.0 * muscle).c_str(), joint.c_str(),
-                 static_cast<int>(measured("strongest_at"))),
-          muscle > 1.0};
+  const char* text = is_caution ? "Arrives, but asks for %s %% of what muscles can give (%s, F%d)."
+                                : "Arrives with %s %% of what muscles can give, at most (%s, F%d).";
+  return {
+      Filled(Tr(text), percent.c_str(), joint.c_str(), static_cast<int>(measured("strongest_at"))),
+      is_caution};
 }
 
 // A key that was made while a region moves its joint is not seen there: who wonders why is told.

@@ -6,9 +6,11 @@
 #include <numbers>
 
 #include "engine/base/filled.h"
+#include "engine/base/named.h"
 #include "engine/makers/jumps/jumps.h"
 #include "engine/makers/throws/throws.h"
 #include "engine/project/edits/holders.h"
+#include "engine/project/enum_names.h"
 #include "engine/spatial/degrees.h"
 #include "ui/panels/text/number_text.h"
 #include "ui/panels/viewport/actions.h"
@@ -36,6 +38,7 @@ class SpotTool : public DragTool {
     }
     if (!trouble_.empty()) return text + "   ! " + trouble_;
     if (*texts_.height) text += "   0-9: " + std::string(Tr(texts_.height));
+    text += KeyHint();
     return text + "   Esc: " + Tr("cancel");
   }
 
@@ -54,6 +57,9 @@ class SpotTool : public DragTool {
         takes_long_(takes_long) {}
 
   virtual Json Fixed() const { return Json::object(); }
+  // A key of the tool's own; true: it was one.
+  virtual bool TakeKey(const Chord&) { return false; }
+  virtual std::string KeyHint() const { return ""; }
   // Where it is done if this is under the mouse.
   virtual Vec3 SpotAt(const Vec3& met, const std::vector<SceneObject>&) const { return met; }
   virtual Told Tell(Editor*) const = 0;
@@ -83,7 +89,7 @@ class SpotTool : public DragTool {
 bool SpotTool::Follow(Editor* editor, const ToolInput& input) {
   if (!input.keys.empty()) reminder_ = "";
   for (const Chord& chord : input.keys) {
-    const bool is_typed = *texts_.height && typed_.Take(chord);
+    const bool is_typed = TakeKey(chord) || (*texts_.height && typed_.Take(chord));
     const bool is_other = !is_typed && chord.ctrl;
     if (is_other) reminder_ = Tr("First click to confirm, or press Esc.");
   }
@@ -184,12 +190,39 @@ class ThrowTool : public SpotTool {
                  {is_made ? "Throw onto the spot under the mouse"
                           : "Make a throw onto the spot under the mouse",
                   "rise above the hand", "Computing the throw"},
-                 /*takes_long=*/true),
+                 /*takes_long=*/false),
         object_(object.name),
         id_(object.identity.id) {}
 
  private:
-  Json Fixed() const override { return {{"object", object_}}; }
+  Json Fixed() const override {
+    Json fixed = {{"object", object_}};
+    if (style_) fixed["style"] = NameOf(*style_);
+    return fixed;
+  }
+
+  // S: the next style.
+  bool TakeKey(const Chord& chord) override {
+    if (!(chord == Chord{'S'})) return false;
+    const auto& styles = EnumNames<ThrowStyle>::kNames;
+    const int next = (static_cast<int>(style_.value_or(shown_)) + 1) % std::ssize(styles);
+    style_ = styles[next].value;
+    return true;
+  }
+  std::string KeyHint() const override {
+    return "   S: " + std::string(Tr(TitleOf(style_.value_or(shown_))));
+  }
+  static const char* TitleOf(ThrowStyle style) {
+    switch (style) {
+      case ThrowStyle::kUnderarm:
+        return "Underarm";
+      case ThrowStyle::kOverarm:
+        return "Overarm";
+      case ThrowStyle::kPush:
+        return "Push";
+    }
+    return "";
+  }
 
   // When it is let go and comes down, how fast it leaves and how high it rises.
   Told Tell(Editor* editor) const override {
@@ -215,6 +248,16 @@ class ThrowTool : public SpotTool {
         Filled(Tr("Lets go in frame %d at %.1f m/s, rises %.2f m above the hand; it comes down in "
                   "frame %d."),
                frames[i].frame, way.norm() / motion.value()->rate.SecondsAt(1), rise, down);
+    for (const ProjectGoal& goal : editor->session().project().goals) {
+      const bool is_it = goal.kind == GoalKind::kObject && goal.object == object_;
+      if (is_it && goal.frame == frames[i].frame) shown_ = goal.style;
+    }
+    const auto* muscle = FindNamed(editor->session().outcome().measured, "muscle");
+    if (muscle && muscle->value > 1.0) {
+      told.is_caution = true;
+      told.text +=
+          " " + Filled(Tr("It asks for %.0f %% of what muscles can give."), 100.0 * muscle->value);
+    }
     Warn(frames[i].X_WR.R * Vec3::UnitX(), way, &told);
     return told;
   }
@@ -231,6 +274,8 @@ class ThrowTool : public SpotTool {
 
   std::string object_;
   ItemId id_;
+  std::optional<ThrowStyle> style_;                   // that was chosen
+  mutable ThrowStyle shown_ = ThrowStyle::kUnderarm;  // of the throw that is shown
 };
 
 class AimTool : public SpotTool {

@@ -43,6 +43,8 @@ void TakeRootTurnTool(Editor* editor);
 void TakeRootRingTool(Editor* editor, const GizmoHit& ring, HeldFrom held);
 // Selects the joints in a rectangle.
 Result<Done> TakeBoxTool(Editor* editor);
+// Drags the place of a goal, or the top of its arc.
+void TakeGoalTool(Editor* editor, const GoalPart& part, HeldFrom held);
 // Drags the end of a limit.
 void TakeLimitTool(Editor* editor, const GizmoHit& end);
 
