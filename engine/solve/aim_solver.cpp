@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/base/assert.h"
+#include "engine/collision/distance.h"
 #include "engine/spatial/degrees.h"
 
 namespace hazumi::solve {
@@ -16,6 +17,7 @@ constexpr double kLimit = 1.0 / kDegree;    // w_l
 constexpr double kAngle = 100.0;            // w_a
 constexpr double kRate = 3.0;               // w_r [s]
 constexpr double kInside = 0.25 * kDegree;  // how far inside a limit pushes begin
+constexpr double kPair = 1000.0;            // w_o [1/m]
 constexpr int kOrder = 4;  // of the splines: each interval has so many coefficients
 
 }  // namespace
@@ -189,6 +191,9 @@ double AimSolver::Terms(const MatX& coefficients, BandSystem* system) {
       if (problem_.hinges[static_cast<size_t>(j)].moves) cost += OwnTerms(angles, t, j, system);
     }
   }
+  for (int t = 2; t < num_frames() && !problem_.pairs.empty(); ++t) {
+    cost += PairTerms(angles, t, system);
+  }
   for (const AimAngle& asked : problem_.angles) {
     const double r = kAngle * (angles(asked.hinge, asked.frame) - asked.angle);
     cost += AddOf(asked.hinge, asked.frame, VecX::Constant(1, kAngle), r, system);
@@ -281,6 +286,27 @@ double AimSolver::OwnTerms(const MatX& angles, int t, int j, BandSystem* system)
   const double above = angle - (hinge.upper - kInside), below = angle - (hinge.lower + kInside);
   if (above > 0.0 || below < 0.0) {
     cost += AddOf(j, t, VecX::Constant(1, w), w * (above > 0.0 ? above : below), system);
+  }
+  return cost;
+}
+
+double AimSolver::PairTerms(const MatX& angles, int t, BandSystem* system) const {
+  const double clearance = problem_.clearance[t], w = share_ * kPair;
+  const ChainPose pose = PoseOfChain(problem_.chain, t, TurnsOf(problem_, angles.col(t)));
+  double cost = 0.0;
+  for (const AimPair& pair : problem_.pairs) {
+    const ChainPose::Body& body = pose.bodies[static_cast<size_t>(pair.hinge)];
+    const Capsule capsule = {body.o + body.W * pair.capsule.a, body.o + body.W * pair.capsule.b,
+                             pair.capsule.radius};
+    const Distance distance = SignedDistance(capsule, pair.obstacle);
+    if (distance.value >= clearance) continue;
+    MatX J = MatX::Zero(1, num_hinges());
+    for (int j = 0; j <= pair.hinge; ++j) {
+      const ChainPose::Body& by = pose.bodies[static_cast<size_t>(j)];
+      const Vec3 moved = by.axes.col(0).cross(distance.point_on_capsule - by.o);
+      J(0, j) = -w * distance.normal.dot(moved);
+    }
+    cost += Add(t, 1, J, VecX::Constant(1, w * (clearance - distance.value)), system);
   }
   return cost;
 }

@@ -3,7 +3,8 @@
 // Motion of the hinges of a limb from a state to what is asked of it, with the least
 //
 //   sum over frames  dt / T (sum over hinges (tau_i / S_i)^2 + w_q^2 q_i''^2
-//                            + w_b^2 beyond(|tau_i| / S_i, most)^2 + w_l^2 beyond(q_i, limits)^2)
+//                            + w_b^2 beyond(|tau_i| / S_i, most)^2 + w_l^2 beyond(q_i, limits)^2
+//                            + sum over pairs w_o^2 beyond(distance, clearance)^2)
 //   + sum over angles asked for w_a^2 (q_i - angle)^2 + sum over rates w_r^2 (q_i' - rate)^2
 //
 // tau [N m]: torques that muscles have to give, M (q'' + C q') + b: what friction takes and what
@@ -19,6 +20,7 @@
 #include <optional>
 #include <vector>
 
+#include "engine/collision/shapes.h"
 #include "engine/solve/chain.h"
 #include "engine/solve/least_squares.h"
 
@@ -46,6 +48,13 @@ struct AimRate {
   double rate = 0.0;  // [rad/s]
 };
 
+// A capsule that turns with a hinge, in its frame, and what it stays out of.
+struct AimPair {
+  int hinge = 0;
+  Capsule capsule;
+  Obstacle obstacle;  // in the world
+};
+
 struct AimProblem {
   // Each joint has one axis, behind it. Frame 1 is the start; frame 0 stands for the rates there.
   Chain chain;
@@ -56,6 +65,8 @@ struct AimProblem {
   double acceleration = 2e-4;  // w_q [s^2]: 500 rad/s^2 count as a tenth of S
   std::vector<AimAngle> angles;
   std::vector<AimRate> rates;
+  std::vector<AimPair> pairs;
+  VecX clearance;  // that pairs keep, by frame; of no size: there are no pairs [m]
 };
 
 // Turns of the joints with these angles.
@@ -101,6 +112,7 @@ class AimSolver {
   double Terms(const MatX& coefficients, BandSystem* system);
   double TorqueTerm(const MatX& angles, int t, BandSystem* system);
   double OwnTerms(const MatX& angles, int t, int j, BandSystem* system) const;
+  double PairTerms(const MatX& angles, int t, BandSystem* system) const;
   // Adds residuals with their derivatives by all angles, or those of one hinge, on `count` frames
   // from `first` on.
   double Add(int first, int count, const MatX& J, const VecX& r, BandSystem* system) const;

@@ -53,7 +53,7 @@ ThrowPath PathOf(const AimGoal& goal, const MotionLimit& at, const Figure& figur
   return {body.p + arm, body.v + body.w.cross(arm), 0.0};
 }
 
-VecX OffPlace(const AimGoal& goal, const ThrowPath& path) {
+Vec3 OffPlace(const AimGoal& goal, const ThrowPath& path) {
   if (!goal.thrown) return path.from - goal.place;
   return MissOfSpot(path, goal.place, goal.thrown->height, goal.thrown->gravity);
 }

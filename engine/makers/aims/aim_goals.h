@@ -53,9 +53,8 @@ inline const MotionLimit& ArrivalAt(int frame, const Motion& motion) {
 
 // Place and velocity of a goal's point in a state of the figure.
 ThrowPath PathOf(const AimGoal& goal, const MotionLimit& at, const Figure& figure);
-// By how much a path misses the place of a goal with a point [m]: of a throw two rows, or three if
-// it has to rise to a height.
-VecX OffPlace(const AimGoal& goal, const ThrowPath& path);
+// By how much a path misses the place of a goal with a point; of a throw as MissOfSpot [m].
+Vec3 OffPlace(const AimGoal& goal, const ThrowPath& path);
 
 // Distance of a motion from a goal.
 struct GoalMiss {

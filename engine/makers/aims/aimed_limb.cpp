@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/bake/pose/held_objects.h"
+#include "engine/collision/distance.h"
 #include "engine/dynamics/kinematics.h"
 #include "engine/makers/aims/reach_pose.h"
 #include "engine/makers/carried_body.h"
@@ -71,6 +72,7 @@ AimedLimb::AimedLimb(AimedHinges hinges, const DynamicsRegion& region, std::vect
   BuildChain(region, most);
   AddFrames();
   TakeStrengths();
+  TakePairs();
   AskForGoals();
 }
 
@@ -239,129 +241,6 @@ void AimedLimb::TakeFall(double mass) {
   }
 }
 
-// A point is asked for by a pose that brings it there: the least torques with all poses to choose
-// from come from wild swings.
-void AimedLimb::AskForPlace(const AimGoal& goal, int t) {
-  const Pose& carrier = problem_.chain.carrier[static_cast<size_t>(t)];
-  std::vector<ReachHinge> hinges;
-  for (size_t k = 0; k < hinges_.path.size(); ++k) {
-    const Joint& joint = figure_.joint(hinges_.path[k]);
-    const int at = static_cast<int>(k);
-    const bool moves = hinges_.moves[k] != 0;
-    const double now = start_(at, t);
-    hinges.push_back({joint.X_PJ, joint.axis, moves ? joint.lower : now, moves ? joint.upper : now,
-                      now, start_(at, 1)});
-    if (hinges_.path[k] == goal.joint) break;
-  }
-  const Reach reach = ReachFor(carrier, hinges, goal.offset, goal.place);
-  if (reach.distance > goal.tolerance) out_of_reach_ = {goal, reach.distance};
-  for (size_t k = 0; k < hinges.size(); ++k) {
-    if (hinges_.moves[k]) {
-      problem_.angles.push_back({t, static_cast<int>(k), reach.angles[static_cast<int>(k)]});
-    }
-  }
-}
-
-namespace {
-
-// Rate at which a hinge still has some strength [rad/s].
-double FastestOf(const Joint& joint) {
-  constexpr double kShare = 0.8, kMost = 1000.0 * kDegree;
-  double fastest = kMost;
-  if (!joint.strength) return fastest;
-  for (const StrengthCurve& curve : {joint.strength->positive, joint.strength->negative}) {
-    if (curve.form != StrengthCurve::Form::kBell) continue;
-    fastest = std::min(fastest, kShare * curve.fastest);
-  }
-  return fastest;
-}
-
-}  // namespace
-
-// What is thrown is asked for by the angles and rates of a release.
-void AimedLimb::AskForThrow(const AimGoal& goal, int t) {
-  const MotionLimit& at = ArrivalAt(goal.frame, motion_);
-  DynamicsWorkspace ws(figure_);
-  ComputePositions(figure_, at.X_WR, at.q, &ws);
-  ComputeVelocities(figure_, at.root_w, at.root_v, at.qd, &ws);
-  const JointIndex base = figure_.joint(hinges_.path[0]).parent;
-  const BodyScratch& body = base.is_valid() ? ws.body(base) : ws.bodies[0];
-  const ReleaseCarrier carrier = {{body.R, body.p}, body.w, body.v};
-  const std::vector<ReleaseHabit> habits = HabitsOf(goal.thrown->style, goal.joint, figure_);
-  std::vector<ReleaseHinge> hinges;
-  for (size_t k = 0; k < hinges_.path.size(); ++k) {
-    const JointIndex j = hinges_.path[k];
-    const Joint& joint = figure_.joint(j);
-    const int row = static_cast<int>(k);
-    const ReleaseHabit& habit = habits[static_cast<size_t>(j.value())];
-    ReleaseHinge hinge = {joint.X_PJ, joint.axis, joint.lower, joint.upper};
-    hinge.moves = hinges_.moves[k] != 0;
-    hinge.wanted = hinge.moves ? habit.angle.value_or(start_(row, 1)) : start_(row, t);
-    hinge.ease = habit.ease;
-    hinge.start = start_(row, 1);
-    hinge.start_rate = problem_.hinges[k].start_rate;
-    hinge.fastest = FastestOf(joint);
-    hinges.push_back(hinge);
-    if (j == goal.joint) break;
-  }
-  const ReleaseTarget target = {goal.offset, goal.place, goal.thrown->height, goal.thrown->gravity,
-                                (t - 1) * problem_.chain.step};
-  release_ = ReleaseFor(carrier, hinges, target);
-  const Release& release = release_;
-  if (release.miss > goal.tolerance) out_of_reach_ = {goal, release.miss};
-  for (int k = 0; k < static_cast<int>(hinges.size()); ++k) {
-    if (!hinges_.moves[static_cast<size_t>(k)]) continue;
-    problem_.angles.push_back({t, k, release.angles[k]});
-    problem_.rates.push_back({t, k, release.rates[k]});
-  }
-}
-
-void AimedLimb::AskForGoals() {
-  const auto number = [&](JointIndex j) {
-    const auto at = std::find(hinges_.path.begin(), hinges_.path.end(), j);
-    return static_cast<int>(at - hinges_.path.begin());
-  };
-  for (const AimGoal& goal : goals_) {
-    const int t = NumberOf(goal.frame);
-    if (goal.is_place()) AskForPlace(goal, t);
-    if (goal.thrown) AskForThrow(goal, t);
-    for (const auto& [j, angle] : goal.angles) {
-      const int k = number(j);
-      if (!problem_.hinges[static_cast<size_t>(k)].moves) continue;
-      problem_.angles.push_back({t, k, angle});
-    }
-    if (!goal.rests) continue;
-    for (int k = 0; k < static_cast<int>(hinges_.path.size()); ++k) {
-      const JointIndex j = hinges_.path[static_cast<size_t>(k)];
-      const bool is_named = std::any_of(goal.angles.begin(), goal.angles.end(),
-                                        [&](const auto& angle) { return angle.first == j; });
-      const bool carries = goal.has_point() && figure_.IsBeyond(goal.joint, j);
-      if (hinges_.moves[static_cast<size_t>(k)] && (is_named || carries)) {
-        problem_.rates.push_back({t, k, 0.0});
-      }
-    }
-  }
-  if (goals_.size() == 1 && goals_[0].thrown) return SwingFromStart();
-  // The search begins with the motion without torques, bent more and more towards each goal.
-  const MatX passive = start_;
-  for (int k = 0; k < static_cast<int>(hinges_.path.size()); ++k) {
-    const solve::AimHinge& hinge = problem_.hinges[static_cast<size_t>(k)];
-    int from = 1;
-    double off = 0.0;  // there
-    for (const solve::AimAngle& asked : problem_.angles) {
-      if (asked.hinge != k) continue;
-      const double there = asked.angle - passive(k, asked.frame);
-      for (int t = from + 1; t < start_.cols(); ++t) {
-        const double s = std::min(1.0, (t - from) / static_cast<double>(asked.frame - from));
-        const double bent = passive(k, t) + off + s * s * (there - off);
-        start_(k, t) = std::clamp(bent, hinge.lower, hinge.upper);
-      }
-      from = asked.frame;
-      off = there;
-    }
-  }
-}
-
 // The search for a throw begins with a cubic to its release.
 void AimedLimb::SwingFromStart() {
   const int last = static_cast<int>(start_.cols()) - 1;
@@ -397,9 +276,37 @@ MatX AimedLimb::Weights() const {
   return weights;
 }
 
-void AimedLimb::Solve(double smoothness) {
-  problem_.acceleration = smoothness * solve::AimProblem().acceleration;
-  solve::AimSolver solver(problem_, start_);
+// Angles near which the search begins.
+MatX AimedLimb::Begin(int detour) const {
+  constexpr double kAside = 50.0 * kDegree;
+  MatX angles = start_;
+  const int k = std::abs(detour) - 1;
+  if (k < 0 || k >= angles.rows() || !hinges_.moves[static_cast<size_t>(k)]) return angles;
+  const int last = static_cast<int>(angles.cols()) - 1;
+  const solve::AimHinge& hinge = problem_.hinges[static_cast<size_t>(k)];
+  for (int t = 2; t < last; ++t) {
+    const double s = (t - 1) / static_cast<double>(last - 1);
+    const double aside = (detour > 0 ? kAside : -kAside) * 4.0 * s * (1.0 - s);
+    angles(k, t) = std::clamp(angles(k, t) + aside, hinge.lower, hinge.upper);
+  }
+  return angles;
+}
+
+void AimedLimb::Solve(const LimbWay& way) {
+  // Pairs come near each other at the goals alone, over the last frames before them.
+  constexpr double kNear = 0.25;  // of the time
+  const int count = problem_.chain.num_frames();
+  problem_.clearance = VecX::Constant(count, way.clearance);
+  for (const AimGoal& goal : goals_) {
+    const int at = NumberOf(goal.frame);
+    const double over = kNear * (count - 2);
+    for (int t = 0; t < count; ++t) {
+      const double share = std::min(1.0, std::abs(t - at) / over);
+      problem_.clearance[t] = std::min(problem_.clearance[t], share * way.clearance);
+    }
+  }
+  problem_.acceleration = way.smoothness * solve::AimProblem().acceleration;
+  solve::AimSolver solver(problem_, Begin(way.detour));
   const solve::AimedMotion found = solver.Solve();
   iterations_ = found.report.iterations;
   angles_ = found.angles;

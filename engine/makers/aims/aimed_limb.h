@@ -12,6 +12,15 @@
 
 namespace hazumi::makers {
 
+// What a motion of a limb is like.
+struct LimbWay {
+  double smoothness = 1.0;  // how many times as much angular acceleration counts as usual
+  double clearance = 0.01;  // kept from planes and boxes on the way [m]
+  // Where the search begins: 0 at the shortest way; k or -k where hinge number k - 1 of the path
+  // is turned aside on the way.
+  int detour = 0;
+};
+
 class AimedLimb {
  public:
   // `motion`: of the animation without the torques that are looked for, up to the last goal.
@@ -20,8 +29,7 @@ class AimedLimb {
   AimedLimb(const AimedLimb&) = delete;
   AimedLimb& operator=(const AimedLimb&) = delete;
 
-  // `smoothness`: how many times as much angular acceleration counts as usual.
-  void Solve(double smoothness);
+  void Solve(const LimbWay& way);
 
   const AimedHinges& hinges() const { return hinges_; }
   const std::vector<AimGoal>& goals() const { return goals_; }
@@ -47,6 +55,8 @@ class AimedLimb {
   double MostMuscle() const;
   // By how much the path goes beyond a limit, at most [rad].
   double MostBeyond() const;
+  // Largest depth of the limb in planes and boxes in a motion, up to the last goal [m].
+  double DepthIn(const Motion& motion) const;
   // A goal whose place the limb cannot bring its point to, or throw to, and how far off it stays.
   struct OutOfReach {
     AimGoal goal;
@@ -61,11 +71,13 @@ class AimedLimb {
   std::vector<RigidInertia> BodiesAt(int frame, double* mass) const;
   void TakeFall(double mass);
   void TakeStrengths();
+  void TakePairs();
+  double DepthAt(int t, const VecX& angles) const;
   void AskForGoals();
   void AskForPlace(const AimGoal& goal, int t);
   void AskForThrow(const AimGoal& goal, int t);
   void SwingFromStart();
-  MatX StartAngles() const;
+  MatX Begin(int detour) const;
   double FrameOf(int t) const { return first_ + (t - 1) / static_cast<double>(per_frame_); }
   int NumberOf(double frame) const;
   MatX Weights() const;

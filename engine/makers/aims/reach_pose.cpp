@@ -148,13 +148,15 @@ double Halton(int index, int base) {
 }  // namespace
 
 Reach ReachFor(const Pose& carrier, const std::vector<ReachHinge>& hinges, const Vec3& offset,
-               const Vec3& place) {
+               const Vec3& place, const std::function<double(const VecX&)>& depth) {
   constexpr int kStarts = 24, kAlways = 6;
   constexpr int kBases[] = {2, 3, 5, 7, 11, 13, 17, 19, 23, 29};
+  constexpr double kShallow = 5e-4;   // [m]
+  constexpr double kPerMetre = 50.0;  // strain
   ReachSolver solver(carrier, hinges, offset, place);
   const int n = static_cast<int>(hinges.size());
   std::optional<Reach> best;
-  double least = 0.0;
+  double least = 0.0, deep = 0.0;  // strain and depth of the best
   for (int i = 0; i < kStarts; ++i) {
     VecX q(n);
     for (int k = 0; k < n; ++k) {
@@ -165,16 +167,18 @@ Reach ReachFor(const Pose& carrier, const std::vector<ReachHinge>& hinges, const
                       : hinge.lower + share * (hinge.upper - hinge.lower);
     }
     const Reach reach = solver.From(q);
-    const double strain = solver.Strain(reach.angles);
     const bool is_there = reach.distance < kThere;
     const bool was_there = best && best->distance < kThere;
+    const double now = is_there && depth ? std::max(0.0, depth(reach.angles) - kShallow) : 0.0;
+    const double strain = solver.Strain(reach.angles) + kPerMetre * now;
     const bool is_better = !best || (is_there && (!was_there || strain < least)) ||
                            (!is_there && !was_there && reach.distance < best->distance);
     if (is_better) {
       best = reach;
       least = strain;
+      deep = now;
     }
-    if (i + 1 >= kAlways && best->distance < kThere) break;
+    if (i + 1 >= kAlways && best->distance < kThere && deep == 0.0) break;
   }
   return *best;
 }

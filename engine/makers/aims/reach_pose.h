@@ -2,6 +2,7 @@
 
 // Internal. A pose that brings a point of a limb to a place, within the limits of its hinges.
 
+#include <functional>
 #include <vector>
 
 #include "engine/spatial/pose.h"
@@ -25,7 +26,9 @@ struct Reach {
 
 // `offset`: of the point, in the frame of the last hinge [m]. Of poses that reach the place the one
 // nearest to the angles wanted, as shares of ranges; else the one that comes nearest to the place.
+// `depth`: how deep angles bring the limb into what it stays out of [m]; of poses that reach the
+// place those that are not deep go first.
 Reach ReachFor(const Pose& carrier, const std::vector<ReachHinge>& hinges, const Vec3& offset,
-               const Vec3& place);
+               const Vec3& place, const std::function<double(const VecX&)>& depth = {});
 
 }  // namespace hazumi::makers

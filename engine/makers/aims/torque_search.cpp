@@ -47,6 +47,12 @@ constexpr Correction kOfPath = {2, 3.0, 1e-4}, kOfPathAtGoal = {1, 1.0, 1e-4}, k
 constexpr double kMostDamping = 1.0;
 constexpr double kPathAngle = 1.0 * kDegree, kPathRate = 30.0 * kDegree;  // [rad, rad/s]
 
+constexpr LimbWay kWays[] = {{1.0, 0.01, 0}, {4.0, 0.01, 0}, {0.25, 0.01, 0}};
+// Are tried if those go through something: farther from it, or round it on another side.
+constexpr LimbWay kWaysRound[] = {{1.0, 0.03, 0}, {1.0, 0.02, 1},  {1.0, 0.02, -1},
+                                  {1.0, 0.02, 3}, {1.0, 0.02, -3}, {4.0, 0.06, 0}};
+constexpr double kDeep = 5e-4;  // in planes and boxes that counts as no touch [m]
+
 // Angle or rate that a hinge has to have in a frame.
 struct Asked {
   int frame = 0;
@@ -75,22 +81,17 @@ class TorqueSearch {
                                                    aim_.most, trial_, *motion_));
       if (limbs_.back()->out_of_reach()) return OutOfReach(*limbs_.back()->out_of_reach());
     }
-    VecX best;
-    double least = std::numeric_limits<double>::infinity();
     // Another motion may arrive where one does not.
-    for (const double smoothness : {1.0, 4.0, 0.25}) {
-      VecX u = Model(smoothness);
-      if (best.size() == 0) best = u;
-      auto failed = Follow(&u);
-      if (!failed) failed = BakeTo(last_, u);
-      if (failed && failed->code == ErrorCode::kInterrupted) return *failed;
-      const double miss = failed ? least : Largest(GoalMisses(last_, true));
-      if (miss < least) best = u;
-      least = std::min(miss, least);
-      if ((!failed && AreMet()) || IsTooMuch()) break;
+    for (const LimbWay& way : kWays) {
+      if (auto error = Try(way)) return *error;
+      if (is_found_ || IsTooMuch()) break;
     }
-    if (const auto error = BakeTo(last_, best)) return *error;
-    return Finish(best);
+    for (const LimbWay& way : kWaysRound) {
+      if (!was_deep_ || is_found_ || IsTooMuch()) break;
+      if (auto error = Try(way)) return *error;
+    }
+    if (const auto error = BakeTo(last_, best_)) return *error;
+    return Finish(best_);
   }
 
  private:
@@ -105,17 +106,41 @@ class TorqueSearch {
   bool IsTooMuch() const { return bakes_.work() > kMostWork; }
   DynamicsRegion& region() { return trial_.regions[aim_.region]; }
 
+  double Depth() const {
+    double depth = 0.0;
+    for (const auto& limb : limbs_) depth = std::max(depth, limb->DepthIn(*motion_));
+    return depth;
+  }
+
   bool AreMet() {
     return std::all_of(aim_.goals.begin(), aim_.goals.end(), [&](const AimGoal& goal) {
       return MissOf(goal, region(), figure_, *motion_).IsMet(goal);
     });
   }
 
+  // Keeps the torques found if they are the best so far. Errors: kInterrupted.
+  std::optional<Error> Try(const LimbWay& way) {
+    VecX u = Model(way);
+    if (best_.size() == 0) best_ = u;
+    auto failed = Follow(&u);
+    if (!failed) failed = BakeTo(last_, u);
+    if (failed && failed->code == ErrorCode::kInterrupted) return failed;
+    if (failed) return std::nullopt;
+    const double depth = Depth();
+    const double miss = std::max(Largest(GoalMisses(last_, true)), kOfGoal.enough) +
+                        std::max(0.0, depth - kDeep) / kDeep;
+    if (miss < least_) best_ = u;
+    least_ = std::min(miss, least_);
+    was_deep_ |= depth > kDeep;
+    is_found_ = AreMet() && depth <= kDeep;
+    return std::nullopt;
+  }
+
   // Torques of the model.
-  VecX Model(double smoothness) {
+  VecX Model(const LimbWay& way) {
     std::vector<double> all, strengths;
     for (const auto& limb : limbs_) {
-      limb->Solve(smoothness);
+      limb->Solve(way);
       found_.iterations += limb->iterations();
       const VecX &u = limb->torques(), &strength = limb->strengths();
       all.insert(all.end(), u.data(), u.data() + u.size());
@@ -379,7 +404,10 @@ class TorqueSearch {
   int last_ = 0;
   std::vector<AimedHinges> paths_;
   std::vector<std::unique_ptr<AimedLimb>> limbs_;
-  VecX scale_;  // strengths
+  VecX scale_;                                              // strengths
+  VecX best_;                                               // torques
+  double least_ = std::numeric_limits<double>::infinity();  // of how far they miss
+  bool is_found_ = false, was_deep_ = false;
   std::vector<HingeTorque> torques_;
   FoundTorques found_;
 };

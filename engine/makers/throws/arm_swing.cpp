@@ -14,6 +14,7 @@ namespace hazumi::makers {
 
 namespace {
 
+constexpr double kClear = 0.02;                  // of what stands around the arm [m]
 constexpr double kBeyondAsMuch = 1.0 * kDegree;  // beyond a limit counts as all of a strength
 
 }  // namespace
@@ -27,6 +28,12 @@ Result<ArmSwing> SwingArm(const AimGoal& goal, const DynamicsRegion& arm,
   }
   AimedLimb limb(paths.front(), arm, {goal}, 1.0, animation, motion);
   if (limb.out_of_reach()) {
+    const double lacks = goal.place.z() - limb.release().path.from.z();
+    if (goal.thrown->height && *goal.thrown->height < lacks) {
+      return Error{ErrorCode::kSchema, "", "height",
+                   "the spot is " + std::to_string(std::lround(100.0 * lacks)) +
+                       " cm higher than the hand: give a greater height"};
+    }
     return Error{ErrorCode::kSemantics, "", "x",
                  "the arm cannot throw it there: it comes down " +
                      FormatShort(100.0 * limb.out_of_reach()->distance) + " cm away at best"};
@@ -46,7 +53,7 @@ Result<ArmSwing> SwingArm(const AimGoal& goal, const DynamicsRegion& arm,
   // Of several minima the best one.
   double least = std::numeric_limits<double>::infinity();
   for (const double smoothness : {1.0, 6.0, 36.0}) {
-    limb.Solve(smoothness);
+    limb.Solve({smoothness, kClear, 0});
     const double muscle = limb.MostMuscle();
     const double strain = muscle + limb.MostBeyond() / kBeyondAsMuch;
     if (strain >= least) continue;
