@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include "engine/dynamics/kinematics.h"
@@ -13,6 +14,7 @@
 #include "engine/project/edits/entries.h"
 #include "engine/project/edits/goals.h"
 #include "engine/project/edits/keys.h"
+#include "engine/project/enum_names.h"
 
 namespace hazumi::makers {
 
@@ -48,6 +50,14 @@ int MovedBy(const DynamicsRegion& region, GroupIndex joint, const Figure& figure
   return count;
 }
 
+// By how many frames a region that moves the arm misses a frame; more than a second: it is of
+// another throw.
+std::optional<int> Apart(const DynamicsRegion& region, int frame, const Animation& animation) {
+  const int apart = std::max({0, region.first_frame - frame, frame - region.last_frame});
+  if (animation.rate.SecondsAt(apart) > 1.0) return std::nullopt;
+  return apart;
+}
+
 Result<ThrowCase> CaseOf(int object, double frame, const Animation& animation,
                          const Project& project) {
   const ProjectHeldObject& thrown = project.held_objects[static_cast<size_t>(object)];
@@ -56,27 +66,28 @@ Result<ThrowCase> CaseOf(int object, double frame, const Animation& animation,
   ThrowCase of;
   of.holder = release.value();
   const int last = of.holder.last;
+  for (size_t i = 0; i < project.goals.size(); ++i) {
+    const ProjectGoal& goal = project.goals[i];
+    const bool is_throw = goal.kind == GoalKind::kObject && goal.object == thrown.name;
+    if (is_throw && goal.frame == last) of.goal = i;
+  }
   const auto joint = animation.figure->FindGroup(of.holder.joint);
-  int most = 0;
+  int nearest = std::numeric_limits<int>::max(), most = 0;
   for (size_t i = 0; joint && i < animation.regions.size(); ++i) {
     const DynamicsRegion& region = animation.regions[i];
-    if (last < region.first_frame || last > region.last_frame) continue;
+    const std::optional<int> apart = Apart(region, last, animation);
     const int count = MovedBy(region, *joint, *animation.figure);
-    if (count <= most) continue;
+    // The region of a throw whose release was moved goes with it.
+    if (count == 0 || !apart || (*apart > 0 && !of.goal)) continue;
+    if (*apart > nearest || (*apart == nearest && count <= most)) continue;
+    nearest = *apart;
     most = count;
     of.region = i;
   }
-  if (most == 0) {
-    return Refusal("object", "no dynamics region moves " + of.holder.joint + " in frame " +
-                                 std::to_string(last) +
-                                 ", in which it lets go: mark one that begins before that");
-  }
-  for (size_t i = 0; i < project.goals.size(); ++i) {
-    const ProjectGoal& goal = project.goals[i];
-    const bool is_it = goal.kind == GoalKind::kObject && goal.object == thrown.name;
-    if (is_it && goal.frame == last) of.goal = i;
-  }
-  return of;
+  if (most > 0) return of;
+  return Refusal("object", "no dynamics region moves " + of.holder.joint + " in frame " +
+                               std::to_string(last) +
+                               ", in which it lets go: mark one that begins there or before");
 }
 
 // A key of a made throw, and the phase whose angle it has.
@@ -88,36 +99,42 @@ struct ThrowKey {
 
 std::vector<ThrowKey> KeysOf(const ThrowPlan& plan, const std::vector<NamedThrowHinge>& hinges,
                              const Figure& figure, Project* project) {
-  const std::pair<int, ThrowPhase> phases[] = {
-      {plan.wind_up, kWindUp}, {plan.swung(), kRelease}, {plan.region_last, kFollowThrough}};
   std::vector<ThrowKey> keys;
   for (const NamedThrowHinge& of : hinges) {
     const Result<ProjectCurve*> curve = CurveNamed(of.name, figure, project);
     if (!curve.ok()) continue;
-    for (const auto& [frame, phase] : phases) {
-      ProjectKey* const key = KeyOn(frame, curve.value());
-      if (key) keys.push_back({key, &of, phase});
-    }
+    const bool throws = of.hinge.limb == ThrowLimb::kThrowingArm;
+    const auto add = [&](int frame, ThrowPhase phase) {
+      if (ProjectKey* const key = KeyOn(frame, curve.value())) keys.push_back({key, &of, phase});
+    };
+    add(plan.wind_up, kWindUp);
+    if (!throws) add(plan.swung(), kRelease);
+    add(throws ? plan.passes() : plan.region_last, kFollowThrough);
   }
   return keys;
 }
 
-// Frame in which the arm of a solved throw begins to swing: that of its last key before it lets go
-// which the solver did not write.
-int WindUpOf(int release, const DynamicsRegion& region, GroupIndex holder, const Figure& figure,
-             const Project& project) {
+// Whether a key is one of a swing that was found.
+bool IsOfSwing(const ProjectKey& key) {
+  return key.type == KeyType::kBreakdown && key.rate && !key.rate_in;
+}
+
+// Frame in which the arm of a solved throw begins to swing: that of the key before its swing, which
+// ends with the region's first frame. Nothing: there is no swing that was found.
+std::optional<int> WindUpOf(const DynamicsRegion& region, GroupIndex holder,
+                            const Animation& animation, const Project& project) {
+  const Figure& figure = *animation.figure;
   std::optional<int> found;
   for (JointIndex j = figure.group(holder).last(); j.is_valid(); j = figure.joint(j).parent) {
     if (!std::binary_search(region.joints.begin(), region.joints.end(), j)) continue;
     const ProjectCurve* const curve = FindCurve(figure.joint(j).name, project);
-    if (!curve) continue;
-    for (const ProjectKey& key : curve->keys) {
-      const bool is_swing = key.type == KeyType::kBreakdown;
-      const int frame = static_cast<int>(key.frame);
-      if (frame < release && !is_swing) found = std::max(found.value_or(frame), frame);
-    }
+    const ProjectKey* key = curve ? KeyOn(region.first_frame, *curve) : nullptr;
+    if (!key || !IsOfSwing(*key)) continue;
+    while (key != curve->keys.data() && IsOfSwing(*key)) --key;
+    const int frame = std::max(static_cast<int>(key->frame), animation.first_frame);
+    found = std::min(found.value_or(frame), frame);
   }
-  return found.value_or(release - 1);
+  return found;
 }
 
 // Frame in which a figure stood as a throw was made: that of the key before the wind-up.
@@ -128,15 +145,31 @@ int StartOf(int wind_up, const std::vector<NamedThrowHinge>& hinges, const Proje
     const ProjectCurve* const curve = FindCurve(of.name, project);
     if (!curve || !KeyOn(wind_up, *curve)) continue;
     for (const ProjectKey& key : curve->keys) {
-      if (key.frame < wind_up) start = static_cast<int>(key.frame);
+      const int frame = static_cast<int>(key.frame);
+      if (frame < wind_up && frame >= project.frames.first) start = frame;
     }
     break;
   }
   return start;
 }
 
-// Keys that stand where MakeThrow put them for the throw of a goal go where it puts them for
-// another spot and style.
+// Places where a goal's object may have come down as its throw was made: where it is to, and where
+// it lies.
+std::vector<Vec3> SpotsOf(const ProjectGoal& goal, const ProjectHeldObject& object) {
+  std::vector<Vec3> spots = {goal.position_m};
+  const auto& curves = object.position.curves;
+  for (size_t i = 0; i < curves[0].keys.size(); ++i) {
+    const bool is_whole = i < curves[1].keys.size() && i < curves[2].keys.size();
+    if (!is_whole || curves[0].keys[i].frame <= goal.frame) continue;
+    spots.emplace_back(curves[0].keys[i].value, curves[1].keys[i].value, curves[2].keys[i].value);
+    break;
+  }
+  return spots;
+}
+
+// Keys that stand where MakeThrow put them go where it puts them for another spot and style. What
+// it put them for is the style, the spot and the frame in which the figure stood that most of them
+// agree with.
 void Rekey(const ProjectGoal& goal, const ThrowTarget& onto, BodySide side, int wind_up,
            const DynamicsRegion& region, const Animation& animation, const Motion& motion,
            Project* project) {
@@ -144,25 +177,40 @@ void Rekey(const ProjectGoal& goal, const ThrowTarget& onto, BodySide side, int 
   const Figure& figure = *animation.figure;
   ThrowPlan plan;
   plan.wind_up = wind_up;
-  plan.release = goal.frame;
+  plan.release = region.first_frame;
   plan.region_last = region.last_frame;
+  plan.end = region.last_frame + HomeFrames(animation);
   const std::vector<NamedThrowHinge> hinges = HingesOfThrow(side, figure);
+  const std::vector<ThrowKey> keys = KeysOf(plan, hinges, figure, project);
   const auto angle = [&](const ThrowKey& of, const ThrowShape& shape) {
     return WithoutRoundOff(AngleIn(of.phase, *of.hinge, shape, figure));
   };
-  const int start = StartOf(plan.wind_up, hinges, *project);
-  for (const int stood : {start, plan.wind_up}) {  // drawn back already, it stood there
+  const auto stands = [&](const ThrowKey& of, const ThrowShape& shape) {
+    return std::abs(of.key->value - angle(of, shape)) <= kSame;
+  };
+  const std::set<int> frames = {StartOf(wind_up, hinges, *project), wind_up};
+  const ProjectHeldObject& object = project->held_objects[static_cast<size_t>(onto.object)];
+  std::ptrdiff_t most = 0;
+  ThrowShape from, to;
+  for (const int stood : frames) {
     const MotionFrame& standing = motion.frames[static_cast<size_t>(stood - animation.first_frame)];
-    const ThrowShape from = ShapeOf(side, goal.style, goal.position_m, standing, animation);
-    const ThrowShape to = ShapeOf(side, *onto.style, CentreOn(onto.spot, onto.object, animation),
-                                  standing, animation);
-    bool any = false;
-    for (const ThrowKey& of : KeysOf(plan, hinges, figure, project)) {
-      if (std::abs(of.key->value - angle(of, from)) > kSame) continue;
-      of.key->value = angle(of, to);
-      any = true;
+    for (const Vec3& spot : SpotsOf(goal, object)) {
+      for (const auto& style : EnumNames<ThrowStyle>::kNames) {
+        const ThrowShape shape = ShapeOf(side, style.value, spot, standing, animation);
+        const auto count = std::count_if(keys.begin(), keys.end(), [&](const ThrowKey& of) {
+          return of.key->value != 0.0 && stands(of, shape);
+        });
+        if (count <= most) continue;
+        most = count;
+        from = shape;
+        to = ShapeOf(side, *onto.style, CentreOn(onto.spot, onto.object, animation), standing,
+                     animation);
+      }
     }
-    if (any) break;
+  }
+  if (most == 0) return;
+  for (const ThrowKey& of : keys) {
+    if (stands(of, from)) of.key->value = angle(of, to);
   }
 }
 
@@ -228,15 +276,23 @@ Result<MadeThrow> AimThrow(const ThrowTarget& target, double frame, const Animat
   Project made = project;
   ThrowTarget onto = target;
   const std::optional<BodySide> side = SideOfHand(of.holder.joint, figure);
-  SolvedSpan span = {of.holder.number, of.region, region.first_frame, of.holder.last};
-  if (of.goal) {
-    const ProjectGoal& goal = project.goals[*of.goal];
-    if (!onto.style) onto.style = goal.style;
-    const GroupIndex holder = *figure.FindGroup(of.holder.joint);
-    span.wind_up = WindUpOf(goal.frame, region, holder, figure, project);
-    if (side) Rekey(goal, onto, *side, span.wind_up, region, animation, motion, &made);
+  SolvedSpan span;
+  span.holder = of.holder.number;
+  span.region = of.region;
+  span.goal = of.goal;
+  span.release = of.holder.last;
+  span.cleared = region.first_frame;
+  if (of.goal && !onto.style) onto.style = project.goals[*of.goal].style;
+  const std::optional<int> swings =
+      WindUpOf(region, *figure.FindGroup(of.holder.joint), animation, project);
+  if (of.goal && swings) {
+    span.wind_up = *swings;
+    if (side) {
+      Rekey(project.goals[*of.goal], onto, *side, *swings, region, animation, motion, &made);
+    }
     return SolveThrow(onto, span, animation, std::move(made));
   }
+  span.wind_up = region.first_frame;
   if (side) {
     const DrawnBack drawn = LastDrawnBack(*side, of.holder, region, animation, motion);
     span.wind_up = drawn.frame;

@@ -1,6 +1,7 @@
 // A throw of what a hand holds, from how the figure stands onto a spot: the arm is drawn back and
 // throws by keys (solved_throw.cpp); once it has let go a dynamics region moves it on, and keys
-// bring it back to how it was. Trunk, legs and the other arm go along, the trunk turns to the spot.
+// bring it back to how it was, or to rest. Trunk, legs and the other arm go along, the trunk turns
+// to the spot.
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -73,8 +74,10 @@ void KeyHinge(const ThrowPlan& plan, const NamedThrowHinge& of, double standing,
   }
   if (plan.is_drawn_back) angles[kWindUp] = standing;
   const double home = plan.is_drawn_back ? figure.joint(of.joint).rest / kDegree : standing;
-  RemoveKeysIn(plan.start, plan.end, curve);
-  KeyMove(plan.start, standing, 0.0, curve);
+  RemoveKeysIn(plan.start + 1, plan.end, curve);
+  if (!plan.is_drawn_back || !KeyOn(plan.start, *curve)) {
+    KeyMove(plan.start, standing, 0.0, curve);
+  }
   if (!plan.is_drawn_back) KeyMove(plan.wind_up, angles[kWindUp], 0.0, curve);
   if (of.hinge.limb == ThrowLimb::kLegs) {
     KeyLeg(plan, angles, home, frame_time, curve);
@@ -94,12 +97,9 @@ ProjectRegion RegionOf(const ThrowPlan& plan, const Figure& figure, const Projec
   region.last_frame = plan.region_last;
   region.joints = {{figure.group(plan.shoulder).name, true, {}}};
   region.friction.default_factor = kThrowFriction;
-  const FigureBody body(figure);
-  for (const BodyRole role : {BodyRole::kHand}) {
-    const auto hand = body.Find(role, plan.shape.side);
-    if (hand) region.friction.joints.push_back({figure.group(*hand).name, kHandFriction});
-  }
-  region.contacts.self = true;
+  const std::optional<GroupIndex> hand = HandOf(FigureBody(figure), plan.shape.side);
+  if (hand) region.friction.joints.push_back({figure.group(*hand).name, kHandFriction});
+  region.contacts.self = project.solver.method == Method::kExact;
   region.limit_tangents = true;
   return region;
 }
@@ -143,7 +143,7 @@ Result<MadeThrow> MakeThrow(const ThrowTarget& target, const MotionFrame& now,
   ThrowTarget onto = target;
   onto.style = plan.value().shape.style;
   const SolvedSpan span = {plan.value().holder.number, made.regions.size() - 1,
-                           plan.value().wind_up, plan.value().release};
+                           plan.value().wind_up, plan.value().release, plan.value().release};
   return SolveThrow(onto, span, animation, std::move(made));
 }
 

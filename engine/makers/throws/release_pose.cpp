@@ -27,6 +27,7 @@ constexpr double kNearLimit = 4.0 * kDegree;  // how far inside a limit pushes b
 constexpr double kTooFast = 20.0 * kDegree;   // m [rad/s]
 
 constexpr double kGives = 1.15;   // how much faster than `fastest` is let pass
+constexpr double kOver = 0.05;    // that a path rises above its spot, from which it comes down [m]
 constexpr double kStiff = 200.0;  // of limits and speeds, where they have to be kept
 
 double Beyond(double value, double lower, double upper) {
@@ -137,19 +138,20 @@ class ReleaseSolver {
   VecX Residuals(const VecX& x, const Scales& scales) const {
     const int n = static_cast<int>(moving_.size());
     const Release at = At(x);
-    const VecX miss = MissOfSpot(at.path, target_.spot, target_.height, target_.gravity);
-    VecX r(5 * n + miss.size());
+    const Vec3 miss = MissOfSpot(at.path, target_.spot, target_.height, target_.gravity);
+    VecX r(5 * n + 3);
     for (int i = 0; i < n; ++i) {
       const ReleaseHinge& hinge = HingeOf(i);
       const double q = x[i], rate = x[n + i];
       r[5 * i] = (q - hinge.wanted) / kPose;
       r[5 * i + 1] = rate / hinge.ease;
       r[5 * i + 2] = (q - hinge.start - 0.5 * target_.seconds * (rate + hinge.start_rate)) / kWay;
-      const double near = Beyond(q, hinge.lower + kNearLimit, hinge.upper - kNearLimit);
+      const double inside = std::min(kNearLimit, 0.25 * (hinge.upper - hinge.lower));
+      const double near = Beyond(q, hinge.lower + inside, hinge.upper - inside);
       r[5 * i + 3] = scales.stiff * near / kLimit;
       r[5 * i + 4] = scales.stiff * Beyond(rate, -hinge.fastest, hinge.fastest) / kTooFast;
     }
-    r.tail(miss.size()) = miss / scales.miss;
+    r.tail<3>() = miss / scales.miss;
     return r;
   }
 
@@ -177,26 +179,23 @@ Release ReleaseFor(const ReleaseCarrier& carrier, const std::vector<ReleaseHinge
   return ReleaseSolver(carrier, hinges, target).Find();
 }
 
-VecX MissOfSpot(const ThrowPath& path, const Vec3& spot, const std::optional<double>& height,
+Vec3 MissOfSpot(const ThrowPath& path, const Vec3& spot, const std::optional<double>& height,
                 double gravity) {
+  const double up = std::max(0.0, path.velocity.z());
+  const double rise = height.value_or(0.5 * up * up / gravity);
+  const double over = height ? 0.0 : kOver;
+  const double lacks = std::max(0.0, spot.z() + over - path.from.z() - rise);
+  Vec3 miss = Vec3::Zero();
   if (height) {
     const ThrowPath wanted = ThrowOver(path.from, spot, *height, gravity);
-    return wanted.seconds * (path.velocity - wanted.velocity);
+    miss = wanted.seconds * (path.velocity - wanted.velocity);
+  } else {
+    const double seconds = SecondsDown(path, spot.z(), gravity);
+    miss.head<2>() = (path.from + seconds * path.velocity - spot).head<2>();
   }
-  return (path.from + SecondsDown(path, spot.z(), gravity) * path.velocity - spot).head<2>();
-}
-
-MatX MissChange(const ThrowPath& path, const Vec3& spot, const std::optional<double>& height,
-                double gravity) {
-  constexpr double kStep = 1e-6;
-  const VecX miss = MissOfSpot(path, spot, height, gravity);
-  MatX change(miss.size(), 6);
-  for (int i = 0; i < 6; ++i) {
-    ThrowPath moved = path;
-    (i < 3 ? moved.from[i] : moved.velocity[i - 3]) += kStep;
-    change.col(i) = (MissOfSpot(moved, spot, height, gravity) - miss) / kStep;
-  }
-  return change;
+  // No other velocity makes up for that.
+  miss.z() += miss.z() > 0.0 ? lacks : -lacks;
+  return miss;
 }
 
 }  // namespace hazumi::makers

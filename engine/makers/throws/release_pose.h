@@ -45,12 +45,10 @@ struct Release {
 Release ReleaseFor(const ReleaseCarrier& carrier, const std::vector<ReleaseHinge>& hinges,
                    const ReleaseTarget& target);
 
-// By how much a path misses a spot [m]: with a height in three directions, without one in the plane
-// of the spot, whose height the path passes where it comes down, or comes nearest to from below.
-VecX MissOfSpot(const ThrowPath& path, const Vec3& spot, const std::optional<double>& height,
-                double gravity);
-// Its derivatives by `from` and `velocity`: rows x 6.
-MatX MissChange(const ThrowPath& path, const Vec3& spot, const std::optional<double>& height,
+// By how much a path misses a spot [m]. With a height by the velocity, for as long as it flies;
+// without one in the plane of the spot, where the path comes down through it. Downwards by how much
+// the path lacks of rising 5 cm above the spot, or with a height to it.
+Vec3 MissOfSpot(const ThrowPath& path, const Vec3& spot, const std::optional<double>& height,
                 double gravity);
 
 }  // namespace hazumi::makers

@@ -33,19 +33,31 @@ Error InTheWayOf(const std::string& what, bool has_height) {
           (has_height ? "give a greater height" : "choose a spot that is open from above"));
 }
 
-// The goal of that throw; a new one if there is none.
-ProjectGoal* GoalOf(const std::string& object, int release, Project* project) {
-  for (ProjectGoal& goal : project->goals) {
-    const bool is_it = goal.kind == GoalKind::kObject && goal.object == object;
-    // Nobody may let go any more in the frame of a goal whose release was moved.
-    if (is_it && (goal.frame == release || !ThrowerOf(goal, *project))) return &goal;
+// The goal of a release; a new one if there is none.
+size_t GoalOf(const std::string& object, int release, Project* project) {
+  for (size_t i = 0; i < project->goals.size(); ++i) {
+    const ProjectGoal& goal = project->goals[i];
+    const bool is_throw = goal.kind == GoalKind::kObject && goal.object == object;
+    if (is_throw && goal.frame == release) return i;
   }
   ProjectGoal goal;
   goal.name = FreeName("throw", project->goals);
   goal.kind = GoalKind::kObject;
   goal.object = object;
   project->goals.push_back(std::move(goal));
-  return &project->goals.back();
+  return project->goals.size() - 1;
+}
+
+// Splits the joints of drives as those of their region were split. Drives without joints go.
+template <typename IsOfArm>
+void SplitDrives(IsOfArm is_of_arm, ProjectRegion* others, ProjectRegion* arm) {
+  for (ProjectDrive& drive : others->drives) std::erase_if(drive.joints, is_of_arm);
+  for (ProjectDrive& drive : arm->drives) {
+    std::erase_if(drive.joints, [&](const JointRef& ref) { return !is_of_arm(ref); });
+  }
+  for (ProjectRegion* region : {others, arm}) {
+    std::erase_if(region->drives, [](const ProjectDrive& drive) { return drive.joints.empty(); });
+  }
 }
 
 class ThrowSolver {
@@ -62,20 +74,21 @@ class ThrowSolver {
 
   Result<MadeThrow> Solve() {
     constexpr int kMostCorrections = 6;
-    SetGoal();
-    if (auto error = GiveRegion()) return *error;
-    ClearSwing();
-    if (auto error = Bake()) return *error;
-    if (!(animation_.gravity > 0.0)) {
+    if (!(before_.gravity > 0.0)) {
       return Refusal("object", "without gravity nothing comes down");
     }
-    if (auto error = CheckHeight()) return *error;
+    if (auto error = CheckTimes()) return *error;
+    SetGoal();
+    if (auto error = GiveRegion()) return *error;
+    if (auto error = FindArm()) return *error;
+    ClearSwing();
+    if (auto error = Bake()) return *error;
     for (int i = 0;; ++i) {
       Result<ArmSwing> swing = Swing();
       if (!swing.ok()) return swing.error();
       PutSwing(swing.value());
       if (auto error = Bake()) return *error;
-      const VecX off = OffPlace(goal_, Path());
+      const Vec3 off = OffPlace(goal_, Path());
       if (off.norm() <= 0.5 * goal_.tolerance) {
         muscle_ = swing.value().muscle;
         break;
@@ -84,7 +97,7 @@ class ThrowSolver {
         return Error{ErrorCode::kSemantics, "", "x",
                      "it misses the spot by " + FormatShort(100.0 * off.norm()) + " cm"};
       }
-      aimed_at_.head(off.size()) -= off;
+      aimed_at_ -= off;
     }
     return Made();
   }
@@ -93,19 +106,43 @@ class ThrowSolver {
   ProjectRegion& region() { return project_.regions[span_.region]; }
   ProjectHeldObject& object() { return project_.held_objects[object_]; }
 
+  std::optional<Error> CheckTimes() const {
+    if (target_.height && !(*target_.height > 0.0)) {
+      return Refusal("height", "it has to rise above the hand: give a height greater than 0");
+    }
+    if (span_.wind_up < project_.frames.first || span_.wind_up >= span_.release) {
+      return Refusal("object", "there is no time to swing before frame " +
+                                   std::to_string(span_.release) +
+                                   ": let go later, or begin the project earlier");
+    }
+    return CheckTaken(span_.release);
+  }
+
+  // Whether somebody takes the object before a frame in which it still flies, or is held.
+  std::optional<Error> CheckTaken(int until) const {
+    const ProjectHeldObject& thrown = project_.held_objects[object_];
+    for (const HolderSpan& holder : HoldersOf(thrown, project_.frames)) {
+      if (holder.number <= span_.holder || holder.first >= until) continue;
+      return Refusal("object", holder.joint + " takes \"" + thrown.name + "\" in frame " +
+                                   std::to_string(holder.first) + ", before it is down in frame " +
+                                   std::to_string(until) + ": pass it on later");
+    }
+    return std::nullopt;
+  }
+
   void SetGoal() {
-    ProjectGoal* const goal = GoalOf(object().name, span_.release, &project_);
+    goal_index_ = span_.goal ? *span_.goal : GoalOf(object().name, span_.release, &project_);
+    ProjectGoal& goal = project_.goals[goal_index_];
     EndOf(span_.holder, &object()) = span_.release;
-    goal->frame = span_.release;
-    goal->position_m = spot_;
-    goal->height_m = target_.height;
-    goal->style = target_.style.value_or(goal->style);
-    goal_name_ = goal->name;
-    goal_.name = goal->name;
-    goal_.frame = goal->frame;
+    goal.frame = span_.release;
+    goal.position_m = spot_;
+    goal.height_m = target_.height;
+    goal.style = target_.style.value_or(goal.style);
+    goal_.name = goal.name;
+    goal_.frame = goal.frame;
     goal_.place = aimed_at_ = spot_;
-    goal_.tolerance = goal->tolerance_m;
-    goal_.thrown = {target_.height, goal->style, before_.gravity};
+    goal_.tolerance = goal.tolerance_m;
+    goal_.thrown = {target_.height, goal.style, before_.gravity};
     const ProjectHeldObject& thrown = object();
     const std::string& joint =
         span_.holder < 0 ? thrown.joint : thrown.holders[static_cast<size_t>(span_.holder)].joint;
@@ -117,41 +154,55 @@ class ThrowSolver {
   // arm gets a region of its own.
   std::optional<Error> GiveRegion() {
     const std::vector<bool> moved = JointsOf(region(), *figure_);
-    arm_.clear();
+    JointIndex first;
     for (JointIndex j = goal_.joint; j.is_valid(); j = figure_->joint(j).parent) {
-      if (moved[static_cast<size_t>(j.value())]) arm_.push_back(j);
+      if (moved[static_cast<size_t>(j.value())]) first = j;
     }
-    std::reverse(arm_.begin(), arm_.end());
-    if (arm_.empty()) return Refusal("object", "no dynamics region moves what throws");
-    const FigureBody body(*figure_);
-    const JointIndex first = arm_.front();
+    if (!first.is_valid()) return Refusal("object", "no dynamics region moves what throws");
     // A trunk that is limp itself would be thrown about by the arm.
-    const BodyRole role = body.PlaceOf(figure_->joint(first).group).role;
+    const GroupIndex group = figure_->joint(first).group;
+    const BodyRole role = FigureBody(*figure_).PlaceOf(group).role;
     if (role == BodyRole::kSpine || role == BodyRole::kHips) {
-      return Refusal("object", "\"" + region().name + "\" moves " +
-                                   figure_->group(figure_->joint(first).group).name +
+      return Refusal("object", "\"" + region().name + "\" moves " + figure_->group(group).name +
                                    ", not only the arm that throws: mark a region of the arm");
     }
     const auto is_of_arm = [&](const JointRef& ref) {
       const auto joints = FindJoints(*figure_, ref.name);
       return joints && figure_->IsBeyond(joints->first, first);
     };
-    const std::vector<JointRef> joints = region().joints;
+    const auto begin = [&](ProjectRegion* of) {
+      of->first_frame = span_.release;
+      if (of->last_frame <= span_.release) of->last_frame = span_.release + 1;
+      project_.frames.last = std::max(project_.frames.last, of->last_frame);
+    };
+    const std::vector<JointRef>& joints = region().joints;
     if (std::all_of(joints.begin(), joints.end(), is_of_arm)) {
-      region().first_frame = span_.release;
-      region().last_frame = std::max(region().last_frame, span_.release + 1);
+      begin(&region());
       return std::nullopt;
     }
     ProjectRegion own = region();
     own.identity = {};
     own.name = FreeName("throw", project_.regions);
-    own.first_frame = span_.release;
-    own.last_frame = std::max(own.last_frame, span_.release + 1);
     std::erase_if(own.joints, [&](const JointRef& ref) { return !is_of_arm(ref); });
     std::erase_if(region().joints, is_of_arm);
+    SplitDrives(is_of_arm, &region(), &own);
+    begin(&own);
     project_.regions.push_back(std::move(own));
     span_.region = project_.regions.size() - 1;
     return std::nullopt;
+  }
+
+  // Finds the hinges that the region leaves free, of those that carry the object.
+  std::optional<Error> FindArm() {
+    Result<Compiled> compiled = CompileAnimation(project_, nullptr, figure_);
+    if (!compiled.ok()) return compiled.error();
+    const DynamicsRegion& free = compiled.value().animation.regions[span_.region];
+    for (JointIndex j = goal_.joint; j.is_valid(); j = figure_->joint(j).parent) {
+      if (std::binary_search(free.joints.begin(), free.joints.end(), j)) arm_.push_back(j);
+    }
+    std::reverse(arm_.begin(), arm_.end());
+    if (!arm_.empty()) return std::nullopt;
+    return Refusal("object", "\"" + region().name + "\" leaves no joint of the arm free");
   }
 
   // Takes keys of the swing before away. The wind-up keeps the rates with which the arm arrives.
@@ -159,7 +210,7 @@ class ThrowSolver {
     for (const JointIndex j : arm_) {
       const Result<ProjectCurve*> curve = CurveNamed(figure_->joint(j).name, *figure_, &project_);
       if (!curve.ok()) continue;
-      RemoveKeysIn(span_.wind_up + 1, span_.release, curve.value());
+      RemoveKeysIn(span_.wind_up + 1, std::max(span_.release, span_.cleared), curve.value());
       ProjectKey* const key = KeyOn(span_.wind_up, curve.value());
       if (key && key->rate_in) key->rate = key->rate_in;
     }
@@ -185,14 +236,6 @@ class ThrowSolver {
     return path;
   }
 
-  std::optional<Error> CheckHeight() const {
-    if (!target_.height) return std::nullopt;
-    if (!(*target_.height > 0.0)) {
-      return Refusal("height", "it has to rise above the hand: give a height greater than 0");
-    }
-    return std::nullopt;
-  }
-
   // The swing with which it gets there past what stands in between.
   Result<ArmSwing> Swing() {
     constexpr double kHigher = 0.2;  // [m]
@@ -214,7 +257,7 @@ class ThrowSolver {
       path.seconds = SecondsDown(path, spot_.z(), animation_.gravity);
       in_the_way = InTheWay(path, radius, animation_);
       if (in_the_way.empty()) {
-        goal_.thrown->height = aimed.thrown->height;
+        goal_.thrown->height = aimed.thrown->height;  // of the path that is proved
         return swing;
       }
       if (target_.height) return InTheWayOf(in_the_way, true);
@@ -248,22 +291,19 @@ class ThrowSolver {
       put(span_.wind_up, start.before.q[j], start.before.qd[j],
           first ? first->type : KeyType::kKeyframe);
       for (size_t k = 1; k < swing.frames.size(); ++k) {
-        const bool is_release = k + 1 == swing.frames.size();
         put(swing.frames[k], swing.angles(static_cast<int>(i), static_cast<int>(k)),
-            swing.rates(static_cast<int>(i), static_cast<int>(k)),
-            is_release ? KeyType::kKeyframe : KeyType::kBreakdown);
+            swing.rates(static_cast<int>(i), static_cast<int>(k)), KeyType::kBreakdown);
       }
     }
   }
 
   Result<MadeThrow> Made() {
-    const Result<ProjectGoal*> goal = EntryNamed(goal_name_, "goal", &project_.goals);
-    if (goal.ok()) goal.value()->height_m = goal_.thrown->height;
     MadeThrow made;
-    const std::optional<HolderSpan> thrower = ThrowerOf(*goal.value(), project_);
+    const std::optional<HolderSpan> thrower = ThrowerOf(project_.goals[goal_index_], project_);
     const ThrowPath path = Path();
-    made.report.down = LieDown(path, spot_, *thrower, span_.release, animation_,
-                               static_cast<int>(object_), &project_);
+    made.report.down =
+        LieDown(path, spot_, *thrower, animation_, static_cast<int>(object_), &project_);
+    if (auto error = CheckTaken(made.report.down)) return *error;
     made.report.region = region().name;
     made.report.release = span_.release;
     made.report.velocity = path.velocity;
@@ -281,7 +321,7 @@ class ThrowSolver {
   Project project_;
   Animation animation_;
   std::vector<JointIndex> arm_;  // hinges that swing, from the trunk outwards
-  std::string goal_name_;
+  size_t goal_index_ = 0;        // of Project::goals
   AimGoal goal_;
   TrialBakes bakes_;
   const Motion* motion_ = nullptr;

@@ -63,7 +63,7 @@ void SetTimes(const Animation& animation, ThrowPlan* plan) {
   if (!plan->is_drawn_back) plan->wind_up += FramesOf(kBackSeconds, 3, animation);
   plan->release = plan->wind_up + ForwardFrames(plan->shape.style, animation);
   plan->region_last = plan->release + FramesOf(kAfterSeconds, 2, animation);
-  plan->end = plan->region_last + FramesOf(kHomeSeconds, 4, animation);
+  plan->end = plan->region_last + HomeFrames(animation);
 }
 
 }  // namespace
@@ -71,6 +71,8 @@ void SetTimes(const Animation& animation, ThrowPlan* plan) {
 int ForwardFrames(ThrowStyle style, const Animation& animation) {
   return FramesOf(kForwardSeconds[static_cast<size_t>(style)], 4, animation);
 }
+
+int HomeFrames(const Animation& animation) { return FramesOf(kHomeSeconds, 4, animation); }
 
 // The trunk leads.
 int ThrowPlan::swung() const { return release - std::max(1, (release - wind_up) / 6); }

@@ -44,8 +44,9 @@ struct ThrowPlan {
   int passes() const;       // frame in which the arm is half-way back
 };
 
-// Frames from the wind-up to the release.
+// Frames from the wind-up to the release, and from the region's end until the arm is back.
 int ForwardFrames(ThrowStyle style, const Animation& animation);
+int HomeFrames(const Animation& animation);
 // The style that an arm is drawn back for; nothing: it hangs, or its hand is in front.
 std::optional<ThrowStyle> StyleDrawnBack(BodySide side, const MotionFrame& frame,
                                          const Figure& figure);

@@ -20,14 +20,14 @@ void ClearFlight(int release, ProjectHeldObject* object) {
   }
 }
 
-// Lets an object that lay somewhere lie there until the thrower takes it. Otherwise it would begin
-// to move to where it is thrown.
-void LieUntilTaken(const HolderSpan& thrower, ProjectHeldObject* object) {
-  if (thrower.number < 0) return;
+// Lets an object that lies somewhere lie there until a holder takes it. Otherwise it would begin to
+// move to where it lies next.
+void LieUntilTaken(int holder, int taken, ProjectHeldObject* object) {
+  if (holder < 0) return;
   for (ProjectCurve& curve : object->position.curves) {
     ProjectKey* last = nullptr;
     for (ProjectKey& key : curve.keys) {
-      if (key.frame <= thrower.first) last = &key;
+      if (key.frame <= taken) last = &key;
     }
     if (last) last->interpolation = Interpolation::kHold;
   }
@@ -35,16 +35,19 @@ void LieUntilTaken(const HolderSpan& thrower, ProjectHeldObject* object) {
 
 }  // namespace
 
-int LieDown(const ThrowPath& path, const Vec3& spot, const HolderSpan& thrower, int release,
+int LieDown(const ThrowPath& path, const Vec3& spot, const HolderSpan& thrower,
             const Animation& animation, int object, Project* project) {
   constexpr double kSeenLying = 0.6;  // [s]
   ProjectHeldObject* const thrown = &project->held_objects[static_cast<size_t>(object)];
-  ClearFlight(std::min(thrower.last, release), thrown);
-  EndOf(thrower.number, thrown) = release;
-  LieUntilTaken(thrower, thrown);
+  const int release = thrower.last;
+  ClearFlight(release, thrown);
+  LieUntilTaken(thrower.number, thrower.first, thrown);
   const double flown = animation.rate.FrameAt(path.seconds);
   const int down = release + std::max(1, static_cast<int>(std::ceil(flown)));
   PutPosition(spot, down, thrown);
+  for (size_t i = 0; i < thrown->holders.size(); ++i) {
+    LieUntilTaken(static_cast<int>(i), thrown->holders[i].first_frame, thrown);
+  }
   const int seen = down + static_cast<int>(std::lround(animation.rate.FrameAt(kSeenLying)));
   project->frames.last = std::max(project->frames.last, seen);
   return down;

@@ -8,10 +8,10 @@
 
 namespace hazumi::makers {
 
-// Lets an object come down on the end of its path, after its keys of that flight before, and lie
-// there; makes the project long enough to see that. `release`: frame in which `thrower` lets it go.
-// Returns the first frame in which it lies there.
-int LieDown(const ThrowPath& path, const Vec3& spot, const HolderSpan& thrower, int release,
+// Lets an object that `thrower` lets go come down on the end of its path and lie there, until
+// somebody takes it; keys of its flight before are taken away. Makes the project long enough to see
+// that. Returns the first frame in which it lies there.
+int LieDown(const ThrowPath& path, const Vec3& spot, const HolderSpan& thrower,
             const Animation& animation, int object, Project* project);
 
 }  // namespace hazumi::makers

@@ -13,6 +13,7 @@
 #include "engine/collision/distance.h"
 #include "engine/dynamics/kinematics.h"
 #include "engine/project/compile.h"
+#include "engine/project/edits/curves.h"
 #include "engine/project/project_writer.h"
 #include "engine/spatial/degrees.h"
 #include "tests/unit/edit/held/throws.h"
@@ -257,6 +258,133 @@ TEST(Throws, FollowTheirGoal) {
   EXPECT_EQ(session.project().goals[0].object, "apple");
   Do(&session, "held.remove", {{"object", "apple"}});
   EXPECT_TRUE(session.project().goals.empty());
+}
+
+TEST(Throws, OntoASpotThatIsTooHighAreRefused) {
+  Session session;
+  AddBall(&session);
+  edit::Json onto = Onto(Vec3(1.5, 0.0, 3.2));
+  onto["height"] = 0.3;
+  EXPECT_TRUE(Refused(&session, "throw.add", onto).message.ends_with("give a greater height"));
+  Do(&session, "throw.add", Onto(Vec3(1.5, 0.0, 1.9)));
+  const Motion& motion = ThrowMotion(&session);
+  const Vec3 lies(1.5, 0.0, 1.937);
+  EXPECT_LE((LandsAt(motion, ReleaseOf(session), lies.z()) - lies).norm(), 0.005);
+  EXPECT_FALSE(session.project().goals[0].height_m);
+}
+
+// Changed among its properties, a goal of another style and spot moves the keys that were made.
+TEST(Throws, FollowAGoalThatWasChangedWithAllTheirKeys) {
+  Session changed, at_once;
+  AddBall(&changed);
+  AddBall(&at_once);
+  Do(&changed, "throw.add", Onto(Vec3(2.0, 0.3, 0.0)));
+  Do(&changed, "goal.set",
+     {{"goal", "throw"}, {"style", "overarm"}, {"position_x", 3.0}, {"position_y", -0.4}});
+  Do(&changed, "goal.aim", {{"goal", "throw"}});
+  edit::Json onto = Onto(Vec3(3.0, -0.4, 0.0));
+  onto["style"] = "overarm";
+  Do(&at_once, "throw.add", onto);
+  // But for the time of the swing, which is that of the first style.
+  for (const char* hinge : {"chest_rotation", "l_elbow_flexion", "r_hip_flexion"}) {
+    const auto value = [&](const Session& session) {
+      return FindCurve(hinge, session.project())->keys[1].value;
+    };
+    EXPECT_NEAR(value(changed), value(at_once), 1e-6) << hinge;
+  }
+}
+
+TEST(Throws, KeepTheReleaseThatIsMoved) {
+  for (const int by : {-2, 3}) {
+    Session session;
+    AddBall(&session);
+    Do(&session, "throw.add", Onto(Vec3(2.0, 0.3, 0.0)));
+    const int release = ReleaseOf(session) + by;
+    Do(&session, "held.set", {{"object", "ball"}, {"release", release}});
+    EXPECT_EQ(session.project().goals[0].frame, release);
+    Do(&session, "held.throw_onto", Onto(Vec3(2.2, 0.3, 0.0)));
+    EXPECT_EQ(ReleaseOf(session), release);
+    ASSERT_EQ(session.project().goals.size(), 1u);
+    ASSERT_EQ(session.project().regions.size(), 1u);
+    EXPECT_EQ(session.project().regions[0].first_frame, release);
+    const Motion& motion = ThrowMotion(&session);
+    const Vec3 lies(2.2, 0.3, 0.037);
+    EXPECT_LE((LandsAt(motion, release, lies.z()) - lies).norm(), 0.005) << by;
+  }
+}
+
+TEST(Throws, AreAimedAgainWhereTheProjectBeginsLater) {
+  Session session;
+  AddBall(&session);
+  Do(&session, "throw.add", Onto(Vec3(2.0, 0.3, 0.0)));
+  Do(&session, "placement.remove", {{"index", 0}});
+  Do(&session, "time.range", {{"first", 5}});
+  Do(&session, "goal.aim", {{"goal", "throw"}});
+  const int release = ReleaseOf(session);
+  Do(&session, "time.range", {{"first", release - 6}});
+  Do(&session, "goal.aim", {{"goal", "throw"}});
+  EXPECT_EQ(ReleaseOf(session), release);
+}
+
+TEST(Throws, OfAGoalThatNobodyThrowsAreRefused) {
+  Session session;
+  AddBall(&session);
+  Do(&session, "throw.add", Onto(Vec3(2.0, 0.3, 0.0)));
+  Do(&session, "goal.add",
+     {{"kind", "object"}, {"name", "other"}, {"object", "ball"}, {"frame", 3}});
+  const std::string before = WriteProject(session.project());
+  EXPECT_NE(Refused(&session, "goal.aim", {{"goal", "other"}}).message.find("nobody lets go"),
+            std::string::npos);
+  EXPECT_EQ(WriteProject(session.project()), before);
+}
+
+TEST(Throws, AreMadeWhereTheMethodIsThePapersToo) {
+  Session session;
+  AddBall(&session);
+  Do(&session, "solver.set", {{"method", "paper"}});
+  Do(&session, "throw.add", Onto(Vec3(2.0, 0.3, 0.0)));
+  EXPECT_FALSE(session.project().regions[0].contacts.self);
+}
+
+// The arm leaves a region of both arms; each keeps its drives.
+TEST(Throws, TakeTheArmOutOfARegionOfBothArms) {
+  Session session;
+  Do(&session, "time.range", {{"first", 0}, {"last", 40}});
+  Do(&session, "held.add_ball", {{"joint", "r_wrist"}, {"release", 12}});
+  Do(&session, "region.add",
+     {{"name", "arms"}, {"first", 2}, {"last", 20}, {"joints", {"r_shoulder+", "l_shoulder+"}}});
+  Do(&session, "drive.add",
+     {{"region", "arms"}, {"kind", "spring"}, {"joints", {"r_shoulder", "l_elbow"}}});
+  Do(&session, "held.throw_onto", Onto(Vec3(2.0, 0.3, 0.0)));
+  const std::vector<ProjectRegion>& regions = session.project().regions;
+  ASSERT_EQ(regions.size(), 2u);
+  EXPECT_EQ(regions[0].first_frame, 2);
+  EXPECT_EQ(regions[1].first_frame, 12);
+  ASSERT_EQ(regions[0].drives.size(), 1u);
+  EXPECT_EQ(regions[0].drives[0].joints[0].name, "l_elbow");
+}
+
+// A rise that was found to pass something is not asked for once that is gone.
+TEST(Throws, RiseOnlyAsLongAsSomethingStandsInBetween) {
+  Session session;
+  AddBall(&session);
+  AddBox("box", {1.2, 0.0, 0.5}, {0.2, 1.0, 1.0}, &session);
+  Do(&session, "throw.add", Onto(Vec3(2.2, 0.0, 0.0)));
+  const double over = RiseOf(ThrowMotion(&session), ReleaseOf(session));
+  Do(&session, "object.remove", {{"object", "box"}});
+  Do(&session, "goal.aim", {{"goal", "throw"}});
+  EXPECT_LT(RiseOf(ThrowMotion(&session), ReleaseOf(session)), over - 0.05);
+}
+
+TEST(Throws, BeforeSomebodyTakesTheObjectAreRefused) {
+  Session session;
+  Do(&session, "time.range", {{"first", 0}, {"last", 80}});
+  AddBall(&session);
+  Do(&session, "time.frame", {{"frame", 35}});
+  Do(&session, "held.pass", {{"object", "ball"}, {"joint", "l_wrist"}});
+  Do(&session, "time.frame", {{"frame", 0}});
+  const std::string message = Refused(&session, "throw.add", Onto(Vec3(2.5, 0.0, 0.0))).message;
+  EXPECT_NE(message.find("l_wrist takes \"ball\" in frame 35"), std::string::npos) << message;
 }
 
 }  // namespace

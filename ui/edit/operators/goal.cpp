@@ -106,10 +106,29 @@ bool HasPlace(const Parameters& p) {
   return p.has("position_x") || p.has("position_y") || p.has("position_z");
 }
 
+// Puts the spot of a throw where the object comes to lie now, else two metres ahead on the ground.
+void ChooseSpot(Session* session, ProjectGoal* goal) {
+  constexpr double kAhead = 2.0;  // [m]
+  const Result<const Motion*> motion = session->WholeMotion();
+  const Animation* animation = session->animation();
+  if (!motion.ok() || !animation) return;
+  const MotionFrame& last = motion.value()->frames.back();
+  for (size_t i = 0; i < animation->held_objects.size(); ++i) {
+    const HeldObject& object = animation->held_objects[i];
+    if (object.name != goal->object || i >= last.objects.size()) continue;
+    const bool lies = !last.objects[i].is_held() && !object.keys[0].empty();
+    Vec3 ahead = last.X_WR.p + kAhead * (last.X_WR.R * Vec3::UnitX());
+    ahead.z() = InnerRadius(object);
+    goal->position_m = lies ? last.objects[i].X_WO.p : ahead;
+  }
+}
+
 // Puts the point of a goal at the tip of its joint, and where that is in the motion now.
 void ChoosePlace(const Parameters& p, Session* session, ProjectGoal* goal) {
+  if (HasPlace(p)) return;
+  if (goal->kind == GoalKind::kObject) return ChooseSpot(session, goal);
   const auto joints = FindJoints(session->figure(), goal->joint);
-  if (goal->kind != GoalKind::kPoint || HasPlace(p) || !joints) return;
+  if (goal->kind != GoalKind::kPoint || !joints) return;
   const JointIndex last(joints->end.value() - 1);
   if (!p.has("offset_x") && !p.has("offset_y") && !p.has("offset_z")) {
     goal->offset_m = makers::TipOf(last, session->figure());
@@ -170,9 +189,11 @@ Result<Done> RemoveGoal(Session* session, const Parameters& p) {
     auto& goals = project->goals;
     const Result<ProjectGoal*> goal = EntryNamed(p.text("goal"), "goal", &goals);
     if (!goal.ok()) return goal.error();
-    // Torques of its region were found for it, too.
+    // Torques of its region were found for it, too; throws have none.
     const ProjectRegion* const region =
-        makers::RegionOf(*goal.value(), session->figure(), *project);
+        goal.value()->kind == GoalKind::kObject
+            ? nullptr
+            : makers::RegionOf(*goal.value(), session->figure(), *project);
     if (region) makers::LetLoose(&project->regions[region - project->regions.data()]);
     goals.erase(goals.begin() + (goal.value() - goals.data()));
     return Done();
@@ -216,6 +237,11 @@ Vec3 PlaceGiven(const Parameters& p, const ProjectGoal& goal) {
 
 // Throws the object of a goal anew, onto another place if that is given.
 Result<Done> AimThrown(Session* session, const ProjectGoal& goal, const Parameters& p) {
+  if (!ThrowerOf(goal, session->project())) {
+    return Refusal("goal", "nobody lets go of \"" + goal.object + "\" in frame " +
+                               std::to_string(goal.frame) +
+                               ": let go of it there, or give the goal the frame of a release");
+  }
   const Result<const Motion*> motion = session->WholeMotion();
   if (!motion.ok()) return motion.error();
   const Animation& animation = *session->animation();
@@ -272,8 +298,9 @@ Result<Done> LetLoose(Session* session, const Parameters& p) {
 std::vector<Operator> GoalOperators() {
   return {
       {"goal.add", "Add goal",
-       "Adds what is to come true in a frame: joints meet their keys, or a point of the body "
-       "a place. Default: the current frame; all joints that a region moves there.",
+       "Adds what is to come true in a frame: joints meet their keys, a point of the body a "
+       "place, or an object that is let go comes down on a spot. Default: the current frame; "
+       "all joints that a region moves there.",
        Requiring({"kind"}, FieldsOf<ProjectGoal>()), AddGoal},
       {"goal.set", "Change goal", "Changes what is given of a goal.",
        Joined({{kGoal}, FieldsOf<ProjectGoal>(), {kDrag}}), SetGoal},

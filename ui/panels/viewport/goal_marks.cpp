@@ -47,6 +47,8 @@ std::vector<GoalMark> GoalMarks(const Project& project, const PosedFigure& figur
       if (object < 0) continue;
       const size_t at = static_cast<size_t>(object);
       const int down = DownAfter(goal.frame, project.held_objects[at]);
+      // What is shown may be older than the project.
+      if (at >= figure.frame().objects.size()) continue;
       if (figure.frame().frame > std::max(goal.frame, down)) continue;
       mark.point = figure.frame().objects[at].X_WO.p;
     }
@@ -64,6 +66,7 @@ void FindTops(const Project& project, const Motion& motion, double gravity,
     if (goal.kind != GoalKind::kObject || object < 0 || motion.frames.empty()) continue;
     const size_t at = static_cast<size_t>(goal.frame - motion.frames[0].frame);
     if (goal.frame < motion.frames[0].frame || at + 1 >= motion.frames.size()) continue;
+    if (static_cast<size_t>(object) >= motion.frames[at].objects.size()) continue;
     const auto pose = [&](size_t frame) -> const ObjectPose& {
       return motion.frames[frame].objects[static_cast<size_t>(object)];
     };

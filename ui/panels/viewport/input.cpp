@@ -110,7 +110,6 @@ void Pull(Editor* editor, const View& view, const PosedFigure& figure) {
   const Point at = FromIm(ImGui::GetIO().MousePos);
   if (std::hypot(at.x - press.at.x, at.y - press.at.y) < kDragPx) return;
   editor->viewport.press.reset();
-  if (press.goal) return TakeGoalTool(editor, *press.goal, {press.at});
   if (press.on_gizmo) {
     const auto part = GizmoUnder(*editor, view, figure, press.at);
     if (!part) return;
@@ -125,6 +124,7 @@ void Pull(Editor* editor, const View& view, const PosedFigure& figure) {
     const auto handle = SwivelHandleUnder(*editor, view, figure, press.at);
     if (handle) return TakeSwivelTool(editor, *handle, {press.at});
   }
+  if (press.goal && press.handle.empty()) return TakeGoalTool(editor, *press.goal, {press.at});
   if (press.handle.empty()) return;
   editor->Do("select.joints", {{"joints", Json::array({press.handle})}});
   if (press.handle == figure.figure().root_name()) return TakeRootMoveTool(editor, {{press.at}});

@@ -169,7 +169,7 @@ TEST(ThrowOnto, ItSaysWhatItCannotDo) {
   Do(&session, "held.set", {{"object", "ball"}, {"release", kRelease}});
   EXPECT_EQ(refused(Vec3(1.5, 0.0, 0.0)),
             "no dynamics region moves r_wrist in frame 10, in which it lets go: mark one that "
-            "begins before that");
+            "begins there or before");
   Do(&session, "region.add",
      {{"name", "arm"}, {"first", 2}, {"last", 14}, {"joints", {"r_shoulder+"}}});
   EXPECT_NE(refused(Vec3(90.0, 0.0, 0.0)).find("the arm cannot throw it there: it comes down "),

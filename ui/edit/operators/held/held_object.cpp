@@ -1,10 +1,14 @@
 // Objects that joints hold until they let go.
 
 #include <algorithm>
+#include <iterator>
+#include <set>
+#include <vector>
 
 #include "engine/dynamics/kinematics.h"
 #include "engine/exchange/import/thing_mesh.h"
 #include "engine/exchange/read_character.h"
+#include "engine/project/edits/holders.h"
 #include "engine/spatial/euler_angles.h"
 #include "ui/edit/fields/item_fields.h"
 #include "ui/edit/operators/objects.h"
@@ -158,6 +162,29 @@ Result<GroupIndex> HolderGiven(const Session& session, const Parameters& p) {
   return *group;
 }
 
+// Frames in which somebody lets go of an object.
+static std::set<int> ReleasesOf(const ProjectHeldObject& object, const Project& project) {
+  std::set<int> frames;
+  for (const HolderSpan& holder : HoldersOf(object, project.frames)) {
+    if (holder.is_let_go) frames.insert(holder.last);
+  }
+  return frames;
+}
+
+// A goal of an object goes with the release that is moved.
+static void FollowRelease(const ProjectHeldObject& before, const ProjectHeldObject& now,
+                          Project* project) {
+  const std::set<int> were = ReleasesOf(before, *project), are = ReleasesOf(now, *project);
+  std::vector<int> gone, come;
+  std::set_difference(were.begin(), were.end(), are.begin(), are.end(), std::back_inserter(gone));
+  std::set_difference(are.begin(), are.end(), were.begin(), were.end(), std::back_inserter(come));
+  if (gone.size() != 1 || come.size() != 1) return;
+  for (ProjectGoal& goal : project->goals) {
+    const bool is_its = goal.kind == GoalKind::kObject && goal.object == before.name;
+    if (is_its && goal.frame == gone[0]) goal.frame = come[0];
+  }
+}
+
 Result<Done> ChangeHeld(Session* session, const Parameters& p, const char* label,
                         const std::function<Result<Done>(ProjectHeldObject*)>& change) {
   return session->Edit(
@@ -166,7 +193,9 @@ Result<Done> ChangeHeld(Session* session, const Parameters& p, const char* label
         auto& objects = project->held_objects;
         const Result<ProjectHeldObject*> object = EntryNamed(p.text("object"), "object", &objects);
         if (!object.ok()) return object.error();
+        const ProjectHeldObject before = *object.value();
         Result<Done> done = change(object.value());
+        FollowRelease(before, *object.value(), project);
         object.value()->name = FreeName(object.value()->name, objects, object.value());
         RenameObject(p.text("object"), object.value()->name, project);
         return done;

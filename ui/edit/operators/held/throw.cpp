@@ -68,7 +68,8 @@ std::vector<Operator> ThrowOperators() {
       {"y", kNumber, true, "the spot, metres"},
       {"z", kNumber, false, "the spot, metres; not given: 0"},
       {"height", kNumber, false, "how far it rises above the hand, metres"},
-      {"style", kText, false, "not given: as the arm is drawn back, or underarm",
+      {"style", kText, false,
+       "not given: as the throw that is there, else as the arm is drawn back, else underarm",
        WordsOf<ThrowStyle>()},
       kDrag};
   return {

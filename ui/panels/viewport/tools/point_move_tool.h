@@ -30,6 +30,8 @@ class PointMoveTool : public DragTool {
 
   bool Follow(Editor* editor, const ToolInput& input) override;
 
+  // 'X' to 'Z': moves along this axis of the world.
+  void KeepToAxis(char axis) { axis_ = axis; }
   const std::string& name() const { return name_; }
   const Vec3& from() const { return from_; }
 

@@ -36,7 +36,7 @@ class SpotTool : public DragTool {
     if (!typed_.is_empty()) {
       text += "   " + std::string(Tr(texts_.height)) + ": " + typed_.shown() + " m";
     }
-    if (!trouble_.empty()) return text + "   ! " + trouble_;
+    if (!trouble_.empty()) return text + KeyHint() + "   ! " + trouble_;
     if (*texts_.height) text += "   0-9: " + std::string(Tr(texts_.height));
     text += KeyHint();
     return text + "   Esc: " + Tr("cancel");
