@@ -55,7 +55,7 @@ class Scripts(InFolder):
         ball, key, throw, go = map(json.loads, done.stdout.splitlines())
         self.assertEqual(ball, {"op": "held.add_ball", "made": ["held_objects[ball]"], "measured": {}})
         self.assertEqual((key["made"], key["measured"]), ([], {}))
-        self.assertEqual(throw["made"], ["regions[throw]", "placements[0]"])
+        self.assertEqual(throw["made"], ["regions[throw]", "placements[0]", "goals[throw]"])
         measured = throw["measured"]
         self.assertLess(measured["release_frame"], measured["down_frame"])
         # What has to fly 2 m under gravity is no slower than sqrt(g x) from the ground up, and an

@@ -18,7 +18,8 @@ namespace hazumi::makers {
 struct ThrowAsked {
   std::optional<double> height;  // rise above where it is let go [m]; nothing: the least speed
   ThrowStyle style = ThrowStyle::kUnderarm;
-  double gravity = 0.0;  // [m/s^2]
+  double gravity = 0.0;   // [m/s^2]
+  double firmness = 1.0;  // how firmly it keeps to the style's pose
 };
 
 // State that a motion has to reach in a frame: angles of hinges, the place of a point, or a motion

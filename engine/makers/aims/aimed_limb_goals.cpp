@@ -80,8 +80,12 @@ void AimedLimb::AskForThrow(const AimGoal& goal, int t) {
     hinges.push_back(hinge);
     if (j == goal.joint) break;
   }
-  const ReleaseTarget target = {goal.offset, goal.place, goal.thrown->height, goal.thrown->gravity,
-                                (t - 1) * problem_.chain.step};
+  const ReleaseTarget target = {goal.offset,
+                                goal.place,
+                                goal.thrown->height,
+                                goal.thrown->gravity,
+                                (t - 1) * problem_.chain.step,
+                                goal.thrown->firmness};
   release_ = ReleaseFor(carrier, hinges, target);
   const Release& release = release_;
   if (release.miss > goal.tolerance) out_of_reach_ = {goal, release.miss};

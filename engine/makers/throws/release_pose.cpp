@@ -143,7 +143,7 @@ class ReleaseSolver {
     for (int i = 0; i < n; ++i) {
       const ReleaseHinge& hinge = HingeOf(i);
       const double q = x[i], rate = x[n + i];
-      r[5 * i] = (q - hinge.wanted) / kPose;
+      r[5 * i] = target_.firmness * (q - hinge.wanted) / kPose;
       r[5 * i + 1] = rate / hinge.ease;
       r[5 * i + 2] = (q - hinge.start - 0.5 * target_.seconds * (rate + hinge.start_rate)) / kWay;
       const double inside = std::min(kNearLimit, 0.25 * (hinge.upper - hinge.lower));

@@ -34,6 +34,7 @@ struct ReleaseTarget {
   std::optional<double> height;  // rise above where it is let go [m]; nothing: the least speed
   double gravity = 9.81;         // [m/s^2]
   double seconds = 0.3;          // from the start
+  double firmness = 1.0;         // how many times as much the pose that is wanted counts as usual
 };
 
 struct Release {

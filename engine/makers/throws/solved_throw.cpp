@@ -11,6 +11,8 @@
 
 #include "engine/analysis/object_landing.h"
 #include "engine/base/text.h"
+#include "engine/collision/distance.h"
+#include "engine/dynamics/kinematics.h"
 #include "engine/makers/throws/arm_swing.h"
 #include "engine/makers/throws/throw_plan.h"
 #include "engine/makers/throws/thrown_object.h"
@@ -231,9 +233,7 @@ class ThrowSolver {
   }
 
   ThrowPath Path() const {
-    ThrowPath path = PathOf(goal_, ArrivalAt(span_.release, *motion_), *figure_);
-    path.seconds = SecondsDown(path, spot_.z(), animation_.gravity);
-    return path;
+    return Timed(PathOf(goal_, ArrivalAt(span_.release, *motion_), *figure_));
   }
 
   // The swing with which it gets there past what stands in between.
@@ -251,10 +251,9 @@ class ThrowSolver {
     const double radius = InnerRadius(animation_.held_objects[object_]);
     std::string in_the_way;
     for (int i = 0; i < kMostTries; ++i) {
-      Result<ArmSwing> swing = SwingArm(aimed, arm, animation_, *motion_);
+      Result<ArmSwing> swing = PastTheBody(aimed, arm, radius);
       if (!swing.ok()) return swing;
-      ThrowPath path = swing.value().path;
-      path.seconds = SecondsDown(path, spot_.z(), animation_.gravity);
+      const ThrowPath path = Timed(swing.value().path);
       in_the_way = InTheWay(path, radius, animation_);
       if (in_the_way.empty()) {
         goal_.thrown->height = aimed.thrown->height;  // of the path that is proved
@@ -266,6 +265,43 @@ class ThrowSolver {
       aimed.thrown->height = now + kHigher;
     }
     return InTheWayOf(in_the_way, false);
+  }
+
+  // The swing of which the object does not fly through the own body. The nearer the arm keeps to
+  // the pose of its style, the farther is that.
+  Result<ArmSwing> PastTheBody(AimGoal aimed, const DynamicsRegion& arm, double radius) const {
+    for (const double firmness : {1.0, 2.0, 4.0, 8.0}) {
+      aimed.thrown->firmness = firmness;
+      Result<ArmSwing> swing = SwingArm(aimed, arm, animation_, *motion_);
+      if (!swing.ok() || !HitsBody(swing.value().path, radius)) return swing;
+    }
+    return Refusal("x", "thrown so, \"" + animation_.held_objects[object_].name +
+                            "\" would fly through the body: choose another style, spot or height");
+  }
+
+  // Whether an object flies through the body as it stands while it lets go, but for the arm.
+  bool HitsBody(const ThrowPath& path, double radius) const {
+    constexpr double kLongest = 0.4, kStep = 0.01, kTouch = 0.005;  // [s, s, m]
+    const MotionLimit& at = ArrivalAt(span_.release, *motion_);
+    DynamicsWorkspace ws(*figure_);
+    ComputePositions(*figure_, at.X_WR, at.q, &ws);
+    for (const Link& link : figure_->links()) {
+      if (link.joint.is_valid() && figure_->IsBeyond(link.joint, arm_.front())) continue;
+      const Pose X =
+          link.joint.is_valid() ? Pose{ws.body(link.joint).R, ws.body(link.joint).p} : at.X_WR;
+      const Capsule body = {X * link.capsule.a, X * link.capsule.b, link.capsule.radius};
+      for (double t = 0.0; t <= kLongest; t += kStep) {
+        const Vec3 p =
+            path.from + t * path.velocity - Vec3(0.0, 0.0, 0.5 * animation_.gravity * t * t);
+        if (SignedDistance(Capsule{p, p, radius}, body).value < -kTouch) return true;
+      }
+    }
+    return false;
+  }
+
+  ThrowPath Timed(ThrowPath path) const {
+    path.seconds = SecondsDown(path, spot_.z(), animation_.gravity);
+    return path;
   }
 
   void PutSwing(const ArmSwing& swing) {

@@ -141,6 +141,44 @@ Most MostOf(const Motion& motion, const Figure& figure) {
   return most;
 }
 
+// Whether the ball is in a link other than those of the right arm in the half second after it was
+// let go.
+bool FliesThroughBody(const Motion& motion, const Figure& figure, int release) {
+  constexpr double kRadius = 0.037, kTouch = 0.01;  // [m]
+  const JointIndex arm = figure.group(*figure.FindGroup("r_shoulder")).first;
+  DynamicsWorkspace ws(figure);
+  for (int f = release; f < release + 15; ++f) {
+    const MotionFrame& frame = motion.frames[static_cast<size_t>(f)];
+    ComputePositions(figure, frame.X_WR, frame.q, &ws);
+    const Vec3 ball = BallIn(motion, f);
+    for (const Link& link : figure.links()) {
+      if (!link.joint.is_valid() || figure.IsBeyond(link.joint, arm)) continue;
+      const BodyScratch& body = ws.body(link.joint);
+      const Capsule now = {body.p + body.R * link.capsule.a, body.p + body.R * link.capsule.b,
+                           link.capsule.radius};
+      if (SignedDistance(Capsule{ball, ball, kRadius}, now).value < -kTouch) return true;
+    }
+  }
+  return false;
+}
+
+TEST(Throws, OfAHighArcMissTheOwnHead) {
+  for (const char* style : {"underarm", "overarm", "push"}) {
+    for (const double height : {0.3, 0.5, 0.8, 1.2}) {
+      Session session;
+      AddBall(&session);
+      edit::Json onto = Onto(Vec3(2.6, 0.2, 0.0));
+      onto["style"] = style;
+      onto["height"] = height;
+      Do(&session, "throw.add", onto);
+      const Motion& motion = ThrowMotion(&session);
+      EXPECT_FALSE(FliesThroughBody(motion, session.figure(), ReleaseOf(session)))
+          << style << " " << height;
+      EXPECT_NEAR(RiseOf(motion, ReleaseOf(session)), height, 0.03) << style;
+    }
+  }
+}
+
 TEST(Throws, OfEachStyleComeDownOnTheSpotWithoutHarm) {
   std::vector<double> times, muscle;  // [ms]
   double worst = 0.0;
@@ -177,6 +215,7 @@ TEST(Throws, OfEachStyleComeDownOnTheSpotWithoutHarm) {
       const Vec3 p = BallIn(motion, f) - Vec3(0.55 * spot.x(), 0.55 * spot.y(), 0.4);
       EXPECT_FALSE(std::abs(p.x()) < 0.15 && std::abs(p.y()) < 0.4 && std::abs(p.z()) < 0.4) << f;
     }
+    EXPECT_FALSE(FliesThroughBody(motion, *animation.figure, report.release));
     const Most most = MostOf(motion, *animation.figure);
     EXPECT_LE(most.rate, 1500.0 * kDegree) << most.fastest;
     EXPECT_LE(most.beyond, 0.1 * kDegree);
