@@ -435,6 +435,47 @@ std::string WhyNot(const std::string& goal, const Project& project) {
   return made.ok() ? "" : made.error().ToString();
 }
 
+// 120 points beyond the arm's reach, 80 poses beyond limits.
+TEST(Aim, SaysOfTwoHundredGoalsThatTheyCannotBeMet) {
+  const Scene scene("throw.kfa", 5, 15, "r_shoulder");
+  const Figure& figure = scene.figure();
+  const MotionFrame end = At(15, MotionOf(scene.project));
+  DynamicsWorkspace ws(figure);
+  ComputePositions(figure, end.X_WR, end.q, &ws);
+  const Vec3 shoulder = ws.body(scene.hinges().front()).p;
+  const Vec3 palm(0.0, 0.0, -0.09);
+  std::mt19937 random(12);
+  std::uniform_real_distribution<double> share(0.0, 1.0);
+  double longest = 0.0;  // [s]
+  const auto refused = [&](const Project& project, const char* name) {
+    const auto start = std::chrono::steady_clock::now();
+    const Result<MadeAim> made = makers::MakeAim(name, project, scene.animation.figure);
+    longest = std::max(
+        longest, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    EXPECT_FALSE(made.ok());
+    return made.ok() ? std::string() : made.error().message;
+  };
+  for (int i = 0; i < 120; ++i) {
+    Vec3 away(share(random) - 0.5, share(random) - 0.5, share(random) - 0.5);
+    away *= (0.7 + 0.8 * share(random)) / away.norm();
+    const std::string text = refused(scene.WithPoint("r_wrist", palm, shoulder + away), "touch");
+    EXPECT_NE(text.find("r_wrist comes no nearer than "), std::string::npos) << text;
+    // Not nearer than a straight arm.
+    const double straight = 0.2751 + 0.2625 + 0.09;
+    const double says = std::stod(text.substr(text.find("than ") + 5)) / 100.0;
+    EXPECT_GE(says, 0.99 * (away.norm() - straight)) << text;
+  }
+  for (int i = 0; i < 80; ++i) {
+    std::vector<double> angles = scene.RandomPose(&random);
+    const size_t k = static_cast<size_t>(share(random) * static_cast<double>(angles.size()));
+    const Joint& joint = figure.joint(scene.hinges()[k]);
+    angles[k] = joint.upper / kDegree + 1.0 + 50.0 * share(random);
+    const std::string text = refused(scene.WithPose(angles), "meet");
+    EXPECT_NE(text.find("beyond its limit"), std::string::npos) << text;
+  }
+  EXPECT_LT(longest, 1.0);
+}
+
 TEST(Aim, SaysWhatCannotBeMet) {
   const Scene scene("throw.kfa", 5, 15, "r_shoulder");
   EXPECT_EQ(WhyNot("meet", scene.WithPose({40.0, -10.0, 20.0, 160.0, 0.0, 0.0, 0.0})),

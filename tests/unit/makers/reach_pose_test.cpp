@@ -70,7 +70,7 @@ TEST(ReachFor, ComesAsNearAsTheBestOfFiftyStartsOfAnotherMethod) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> share(0.0, 1.0), place(-1.0, 1.0);
   int out_of_reach = 0, reached = 0;
-  for (int i = 0; i < 30; ++i) {
+  for (int i = 0; i < 60; ++i) {
     const Vec3 target = 0.6 * Vec3(place(random), place(random), place(random));
     const Reach reach = ReachFor(Pose(), hinges, kPalm, target);
     for (size_t k = 0; k < hinges.size(); ++k) {
@@ -90,8 +90,8 @@ TEST(ReachFor, ComesAsNearAsTheBestOfFiftyStartsOfAnotherMethod) {
     EXPECT_LT(reach.distance, std::max(1.1 * best, 1e-4)) << i << ": " << best;
     ++(reach.distance > 1e-3 ? out_of_reach : reached);
   }
-  EXPECT_GE(out_of_reach, 10);
-  EXPECT_GE(reached, 5);
+  EXPECT_GE(out_of_reach, 20);
+  EXPECT_GE(reached, 10);
 }
 
 }  // namespace
