@@ -261,6 +261,31 @@ class SameEverywhere(InFolder):
         self.assertEqual((done.returncode, done.stdout),
                          (0, "the same: 96000 pixels of 5 pictures\n"), done.stderr)
 
+    def test_throws_and_aims_are_found_to_the_same_byte(self):
+        def solved(name, **how):
+            path = self.folder / name
+            script = [
+                {"op": "held.add_ball", "joint": "r_wrist"},
+                {"op": "throw.add", "object": "ball", "x": 3.6, "y": 0.2, "style": "overarm"},
+                {"op": "region.add", "name": "left", "first": 5, "last": 18, "joints": ["l_shoulder+"]},
+                {"op": "goal.add", "kind": "point", "name": "touch", "frame": 18, "joint": "l_wrist",
+                 "position_x": 0.3, "position_y": 0.3, "position_z": 1.3},
+                {"op": "goal.aim", "goal": "touch"},
+                {"op": "file.save", "path": str(path)}]
+            steps = self.folder / "steps.json"
+            steps.write_text(json.dumps(script))
+            done = run("--run", steps, **how)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            return path.read_bytes()
+
+        plain = solved("plain.kfa")
+        self.assertIn(b"solved_by", plain)
+        self.assertEqual(plain, solved("again.kfa"))
+        self.assertEqual(plain, solved("other.kfa", env=WITHOUT_FMA))
+        if hasattr(os, "sched_setaffinity"):
+            one = min(os.sched_getaffinity(0))
+            self.assertEqual(plain, solved("one.kfa", preexec_fn=lambda: os.sched_setaffinity(0, {one})))
+
     def test_one_thread_and_many_make_the_same_motion(self):
         if not hasattr(os, "sched_setaffinity"):
             self.skipTest("not here: threads cannot be kept to one processor here")
