@@ -19,7 +19,7 @@ std::string PlaceOfRegion(size_t region) { return "regions[" + std::to_string(re
 }  // namespace
 
 void WarnIfItStopsDead(int frame, JointIndex j, const std::string& place, BakeContext* context) {
-  constexpr double kMoving = 1e-6;  // [rad/s]
+  constexpr double kMoving = 8.1 * kDegree;  // what is slower is at rest to the eye [rad/s]
   const bool is_moving = std::abs(context->now.qd[j.value()]) >= kMoving;
   if (!is_moving || context->poses.curves().joint(j).HasKeyAfter(frame)) return;
   context->recorder.AddWarning({place,

@@ -267,14 +267,25 @@ class ThrowSolver {
     return InTheWayOf(in_the_way, false);
   }
 
-  // The swing of which the object does not fly through the own body. The nearer the arm keeps to
-  // the pose of its style, the farther is that.
+  // The swing that asks for the smallest share of strength, of those of which the object does not
+  // fly through the own body. They keep more and more to the pose of the style; the first one that
+  // asks for no more than there is will do.
   Result<ArmSwing> PastTheBody(AimGoal aimed, const DynamicsRegion& arm, double radius) const {
-    for (const double firmness : {1.0, 2.0, 4.0, 8.0}) {
+    std::optional<ArmSwing> best;
+    std::optional<Error> error;
+    for (const double firmness : {1.0, 4.0, 8.0}) {
+      if (firmness > 4.0 && best) break;
       aimed.thrown->firmness = firmness;
       Result<ArmSwing> swing = SwingArm(aimed, arm, animation_, *motion_);
-      if (!swing.ok() || !HitsBody(swing.value().path, radius)) return swing;
+      if (!swing.ok()) {
+        if (!error) error = swing.error();
+      } else if (!HitsBody(swing.value().path, radius)) {
+        if (!best || swing.value().muscle < best->muscle) best = swing.value();
+        if (best->muscle <= 1.0) break;
+      }
     }
+    if (best) return *best;
+    if (error) return *error;
     return Refusal("x", "thrown so, \"" + animation_.held_objects[object_].name +
                             "\" would fly through the body: choose another style, spot or height");
   }

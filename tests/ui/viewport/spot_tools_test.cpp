@@ -3,6 +3,7 @@
 #include "tests/ui/viewport/objects.h"
 #include "ui/panels/forms/parameter_form.h"
 #include "ui/panels/problems/problems.h"
+#include "ui/panels/viewport/goal_marks.h"
 
 namespace hazumi::test {
 namespace {
@@ -99,6 +100,21 @@ TEST_F(Objects, TheSpotOfAThrowIsDragged) {
   EXPECT_LE((motion.value()->frames.back().objects[0].X_WO.p - place).norm(), 1e-6);
   Do("edit.undo", edit::Json::object());
   EXPECT_EQ(user.text(), before);
+}
+
+// The top of an arc stays under the mouse, wherever the hand lets go for it.
+TEST_F(Objects, TheTopOfAnArcIsDragged) {
+  Do("held.add_ball", {{"joint", "r_wrist"}});
+  Do("throw.add", {{"object", "ball"}, {"x", 1.2}, {"y", 0.3}, {"height", 0.3}});
+  Do("time.frame", {{"frame", user.project().goals[0].frame + 3}});
+  const auto top = [&] {
+    const auto marks = ui::GoalMarksNow(&user.editor(), *ui::PoseNow(&user.session()));
+    return marks.at(0).top.value();
+  };
+  const Vec3 from = top(), to = from + Vec3(0.0, 0.0, 0.15);
+  user.Drag(InWindow(from), InWindow(to));
+  EXPECT_NEAR(top().z(), to.z(), 0.03);
+  EXPECT_TRUE(user.project().goals[0].height_m);
 }
 
 TEST_F(Throwing, SChangesTheStyle) {

@@ -144,12 +144,25 @@ void ChoosePlace(const Parameters& p, Session* session, ProjectGoal* goal) {
   goal->position_m = ws.body(last).p + ws.body(last).R * goal->offset_m;
 }
 
+// Whether joints of a goal have keys behind its frame, to which they go on.
+bool HasKeysAfter(const ProjectGoal& goal, const Figure& figure, const Project& project) {
+  const std::vector<bool> named = HingesOf(goal, figure, project);
+  for (int j = 0; j < figure.num_joints(); ++j) {
+    if (!named[static_cast<size_t>(j)]) continue;
+    const ProjectCurve* const curve = FindCurve(figure.joint(JointIndex(j)).name, project);
+    if (curve && !curve->keys.empty() && curve->keys.back().frame > goal.frame) return true;
+  }
+  return false;
+}
+
 Result<Done> AddGoal(Session* session, const Parameters& p) {
   return session->Edit("Add goal", [&](Project* project) -> Result<Done> {
     ProjectGoal goal;
     goal.frame = static_cast<int>(std::lround(session->frame()));
     if (Result<Done> set = SetOwnFields(*session, p, &goal); !set.ok()) return set;
     ChoosePlace(p, session, &goal);
+    const bool is_pose = goal.kind == GoalKind::kPose;
+    if (is_pose && !p.has("rests")) goal.rests = !HasKeysAfter(goal, session->figure(), *project);
     if (!p.has("name")) goal.name = "goal";
     goal.name = FreeName(goal.name, project->goals);
     project->goals.push_back(std::move(goal));

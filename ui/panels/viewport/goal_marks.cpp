@@ -73,8 +73,8 @@ void FindTops(const Project& project, const Motion& motion, double gravity,
     if (pose(at).is_held()) continue;
     const Vec3 p = pose(at).X_WO.p;
     const Vec3 v = (pose(at + 1).X_WO.p - p) / h + Vec3(0.0, 0.0, 0.5 * gravity * h);
-    if (!(v.z() > 0.0) || !(gravity > 0.0)) continue;
-    const double t = v.z() / gravity;
+    if (!(gravity > 0.0)) continue;
+    const double t = std::max(0.0, v.z()) / gravity;
     mark.top = p + t * v - Vec3(0.0, 0.0, 0.5 * gravity * t * t);
   }
 }

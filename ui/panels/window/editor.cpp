@@ -235,6 +235,10 @@ void Editor::Note(const std::string& id, const Json& parameters) {
   KeepAgreement(id, parameters);
   SayIfSwung(id, parameters);
   SayFilled(id);
+  if (id == "goal.add") {
+    Say(Filled(Tr("\"%s\" is added; Aim, in its list, makes it come true."),
+               session_.project().goals.back().name.c_str()));
+  }
   if (id == "goal.aim" || id == "goal.reach") {
     const AimAnswer answer = AnswerOf(session_);
     Say(answer.text, answer.is_caution);

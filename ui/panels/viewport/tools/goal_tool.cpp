@@ -2,6 +2,8 @@
 // arc. The goal is aimed again with each move; what cannot be met is said, and all stays as it was.
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include "engine/analysis/object_landing.h"
 #include "engine/base/named.h"
@@ -19,13 +21,14 @@ class Aimer {
 
   // `aim`: runs goal.aim with these parameters.
   template <typename Aim>
-  void Run(Editor* editor, Json wanted, Aim aim) {
+  bool Run(Editor* editor, Json wanted, Aim aim) {
     wanted["goal"] = goal_;
     const Result<Done> done = aim(wanted);
     trouble_ = done.ok() ? "" : done.error().message;
-    if (!done.ok()) return;
+    if (!done.ok()) return false;
     const AimAnswer answer = AnswerOf(editor->session());
     editor->Say(answer.text, answer.is_caution);
+    return true;
   }
   std::string hint() const { return trouble_.empty() ? "" : "   ! " + trouble_; }
 
@@ -36,32 +39,63 @@ class Aimer {
 // The place of a point, in a plane before the eye; or the top of an arc, up and down.
 class GoalTool : public PointMoveTool {
  public:
-  // `rise`: of the arc above the hand as the drag begins [m].
-  GoalTool(Editor* editor, const GoalPart& part, double rise, HeldFrom held)
+  // `object`: of the session's held objects, of an arc; `release`: frame in which it is let go.
+  GoalTool(Editor* editor, const GoalPart& part, size_t object, int release, HeldFrom held)
       : PointMoveTool(editor, part.goal, part.at, held),
         is_top_(part.is_top),
-        rise_(rise),
+        object_(object),
+        release_(release),
         aimer_(part.goal) {
     if (is_top_) KeepToAxis('Z');
   }
 
  private:
   bool Place(Editor* editor, const Vec3& offset) override {
-    constexpr double kLeastRise = 0.01;  // [m]
-    TakeBack(editor);
     const Vec3 to = from() + offset;
-    const Json wanted =
-        is_top_ ? Json{{"height", std::max(kLeastRise, ToCentimetres(rise_ + offset.z()))}}
-                : Json{{"x", ToCentimetres(to.x())},
-                       {"y", ToCentimetres(to.y())},
-                       {"z", ToCentimetres(to.z())}};
-    aimer_.Run(editor, wanted, [&](const Json& all) { return Try(editor, "goal.aim", all); });
+    if (is_top_) {
+      RiseTo(editor, to.z());
+      return true;
+    }
+    Aim(editor,
+        {{"x", ToCentimetres(to.x())}, {"y", ToCentimetres(to.y())}, {"z", ToCentimetres(to.z())}});
     return true;
+  }
+
+  // A rise counts from the hand, which lets go in another place for each of them.
+  void RiseTo(Editor* editor, double top) {
+    constexpr double kLeastRise = 0.01, kNear = 0.01;  // [m]
+    constexpr int kTries = 3;
+    double last = -1.0;
+    for (int i = 0; i < kTries; ++i) {
+      const std::optional<double> hand = HandNow(editor);
+      if (!hand) return;
+      const double rise = std::max(kLeastRise, ToCentimetres(top - *hand));
+      if (std::abs(rise - last) < kNear) return;
+      last = rise;
+      if (!Aim(editor, {{"height", rise}})) return;
+    }
+  }
+
+  // Height of the object as it is let go [m].
+  std::optional<double> HandNow(Editor* editor) const {
+    const Result<const Motion*> motion = editor->session().MotionTo(release_);
+    if (!motion.ok()) return std::nullopt;
+    const auto& frames = motion.value()->frames;
+    const size_t at = static_cast<size_t>(release_ - frames.front().frame);
+    if (at >= frames.size() || object_ >= frames[at].objects.size()) return std::nullopt;
+    return frames[at].objects[object_].X_WO.p.z();
+  }
+
+  bool Aim(Editor* editor, const Json& wanted) {
+    TakeBack(editor);
+    return aimer_.Run(editor, wanted,
+                      [&](const Json& all) { return Try(editor, "goal.aim", all); });
   }
   std::string MoreHint() const override { return aimer_.hint(); }
 
   bool is_top_;
-  double rise_;
+  size_t object_;
+  int release_;
   Aimer aimer_;
 };
 
@@ -105,21 +139,15 @@ void TakeGoalTool(Editor* editor, const GoalPart& part, HeldFrom held) {
   const Animation* const animation = editor->session().animation();
   if (!goal || !animation) return;
   if (goal->kind == GoalKind::kPoint) {
-    return editor->Take(std::make_unique<GoalTool>(editor, part, 0.0, held));
+    return editor->Take(std::make_unique<GoalTool>(editor, part, 0, goal->frame, held));
   }
-  const Result<const Motion*> motion = editor->session().ShownMotionTo(goal->frame);
-  if (!motion.ok()) return;
-  const size_t at = static_cast<size_t>(goal->frame - animation->first_frame);
   for (size_t i = 0; i < animation->held_objects.size(); ++i) {
     const HeldObject& object = animation->held_objects[i];
-    if (object.name != goal->object || at >= motion.value()->frames.size()) continue;
-    const auto& objects = motion.value()->frames[at].objects;
-    if (i >= objects.size()) continue;
-    if (!part.is_top) {
-      return editor->Take(std::make_unique<ThrownSpotTool>(editor, part, InnerRadius(object)));
+    if (object.name != goal->object) continue;
+    if (part.is_top) {
+      return editor->Take(std::make_unique<GoalTool>(editor, part, i, goal->frame, held));
     }
-    const double rise = part.at.z() - objects[i].X_WO.p.z();
-    return editor->Take(std::make_unique<GoalTool>(editor, part, rise, held));
+    return editor->Take(std::make_unique<ThrownSpotTool>(editor, part, InnerRadius(object)));
   }
 }
 
