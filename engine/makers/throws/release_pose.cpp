@@ -1,11 +1,11 @@
 // Of a pose q and rates q' with which the object comes down on the spot those are found for which
 //
-//   sum over hinges  ((q - wanted) / s)^2 + (q' / ease)^2 + ((q - start - (q' + start') T / 2) /
-//   d)^2
-//                    + (beyond(q, limits) / l)^2 + (beyond(q', fastest) / m)^2  + (miss / n)^2
+//   sum over hinges  (f (q - wanted) / s)^2 + (q' / ease)^2 + (beyond(q, limits) / l)^2
+//                    + ((q - start - (q' + start') T / 2) / d)^2 + (beyond(q', fastest) / m)^2
+//   + (miss / n)^2
 //
-// is least. The third term asks for a swing that gains speed evenly in the time T. Gauss and
-// Newton's method, damped as Levenberg does; derivatives are differences.
+// is least. The fourth term asks for a swing that gains speed evenly in the time T; f: firmness.
+// Gauss and Newton's method, damped as Levenberg does; derivatives are differences.
 
 #include "engine/makers/throws/release_pose.h"
 
