@@ -20,7 +20,7 @@ constexpr const char* NameOf(GoalKind kind) {
   return "";
 }
 
-// How an arm throws.
+// Manner in which an arm throws.
 enum class ThrowStyle {
   kUnderarm,  // swings forward below the shoulder
   kOverarm,   // is drawn back beside the head, and throws past it

@@ -14,7 +14,7 @@
 
 namespace hazumi::makers {
 
-// How an object is thrown.
+// Height and style that are asked of a throw.
 struct ThrowAsked {
   std::optional<double> height;  // rise above where it is let go [m]; nothing: the least speed
   ThrowStyle style = ThrowStyle::kUnderarm;
@@ -54,7 +54,8 @@ inline const MotionLimit& ArrivalAt(int frame, const Motion& motion) {
 
 // Place and velocity of a goal's point in a state of the figure.
 ThrowPath PathOf(const AimGoal& goal, const MotionLimit& at, const Figure& figure);
-// By how much a path misses the place of a goal with a point; of a throw as MissOfSpot [m].
+// Distance, as a vector, of a path from the place of a goal with a point; of a throw that of
+// MissOfSpot [m].
 Vec3 OffPlace(const AimGoal& goal, const ThrowPath& path);
 
 // Distance of a motion from a goal.

@@ -12,12 +12,12 @@
 
 namespace hazumi::makers {
 
-// What a motion of a limb is like.
+// Kind of motion that is looked for.
 struct LimbWay {
   double smoothness = 1.0;  // how many times as much angular acceleration counts as usual
   double clearance = 0.01;  // kept from planes and boxes on the way [m]
-  // Where the search begins: 0 at the shortest way; k or -k where hinge number k - 1 of the path
-  // is turned aside on the way.
+  // Beginning of the search: 0: the shortest way; k or -k: hinge number k - 1 of the path is turned
+  // aside on the way.
   int detour = 0;
 };
 
@@ -48,12 +48,12 @@ class AimedLimb {
   int iterations() const { return iterations_; }
   // Frames of the animation between which the path is a cubic.
   const std::vector<int>& spline_frames() const { return spline_frames_; }
-  // How the goal that throws lets go.
+  // Pose and rates with which the goal that throws lets go.
   const Release& release() const { return release_; }
   // Largest torque that the path asks for, as a share of what its hinge can give there; 0 if no
   // strength is known.
   double MostMuscle() const;
-  // By how much the path goes beyond a limit, at most [rad].
+  // Largest angle of the path beyond a limit [rad].
   double MostBeyond() const;
   // Largest depth of the limb in planes and boxes in a motion, up to the last goal [m].
   double DepthIn(const Motion& motion) const;

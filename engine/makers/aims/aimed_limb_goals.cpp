@@ -1,4 +1,4 @@
-// What goals ask of a limb's motion: angles and rates in their frames.
+// Angles and rates that goals ask of a limb's motion, in their frames.
 
 #include <algorithm>
 
@@ -54,7 +54,7 @@ double FastestOf(const Joint& joint) {
 
 }  // namespace
 
-// What is thrown is asked for by the angles and rates of a release.
+// Asks for the angles and rates with which an object is let go.
 void AimedLimb::AskForThrow(const AimGoal& goal, int t) {
   const MotionLimit& at = ArrivalAt(goal.frame, motion_);
   DynamicsWorkspace ws(figure_);

@@ -25,7 +25,7 @@
 
 #include "engine/base/text.h"
 #include "engine/dynamics/kinematics.h"
-#include "engine/makers/aims/aimed_limb.h"
+#include "engine/makers/aims/aimed_limbs.h"
 #include "engine/makers/aims/aimed_paths.h"
 #include "engine/makers/trial_bakes.h"
 #include "engine/spatial/degrees.h"
@@ -68,7 +68,8 @@ class TorqueSearch {
         trial_(animation),
         figure_(*animation.figure),
         cancel_(cancel),
-        drives_(region().drives) {
+        drives_(region().drives),
+        limbs_(figure_) {
     for (const AimGoal& goal : aim.goals) last_ = std::max(last_, goal.frame);
   }
 
@@ -77,9 +78,10 @@ class TorqueSearch {
     if (const auto error = BakeTo(last_, VecX())) return *error;
     if (AreMet()) return Finish(VecX());
     for (const AimedHinges& hinges : paths_) {
-      limbs_.push_back(std::make_unique<AimedLimb>(hinges, region(), GoalsOf(hinges, aim_.goals),
-                                                   aim_.most, trial_, *motion_));
-      if (limbs_.back()->out_of_reach()) return OutOfReach(*limbs_.back()->out_of_reach());
+      auto limb = std::make_unique<AimedLimb>(hinges, region(), GoalsOf(hinges, aim_.goals),
+                                              aim_.most, trial_, *motion_);
+      if (limb->out_of_reach()) return OutOfReach(*limb->out_of_reach());
+      limbs_.Add(std::move(limb));
     }
     // Another motion may arrive where one does not.
     for (const LimbWay& way : kWays) {
@@ -106,12 +108,6 @@ class TorqueSearch {
   bool IsTooMuch() const { return bakes_.work() > kMostWork; }
   DynamicsRegion& region() { return trial_.regions[aim_.region]; }
 
-  double Depth() const {
-    double depth = 0.0;
-    for (const auto& limb : limbs_) depth = std::max(depth, limb->DepthIn(*motion_));
-    return depth;
-  }
-
   bool AreMet() {
     return std::all_of(aim_.goals.begin(), aim_.goals.end(), [&](const AimGoal& goal) {
       return MissOf(goal, region(), figure_, *motion_).IsMet(goal);
@@ -120,13 +116,15 @@ class TorqueSearch {
 
   // Keeps the torques found if they are the best so far. Errors: kInterrupted.
   std::optional<Error> Try(const LimbWay& way) {
-    VecX u = Model(way);
+    VecX u = limbs_.Solve(way);
+    found_.iterations += limbs_.iterations();
+    scale_ = limbs_.Strengths();
     if (best_.size() == 0) best_ = u;
     auto failed = Follow(&u);
     if (!failed) failed = BakeTo(last_, u);
     if (failed && failed->code == ErrorCode::kInterrupted) return failed;
     if (failed) return std::nullopt;
-    const double depth = Depth();
+    const double depth = limbs_.DepthIn(*motion_);
     const double miss = std::max(Largest(GoalMisses(last_, true)), kOfGoal.enough) +
                         std::max(0.0, depth - kDeep) / kDeep;
     if (miss < least_) best_ = u;
@@ -134,20 +132,6 @@ class TorqueSearch {
     was_deep_ |= depth > kDeep;
     is_found_ = AreMet() && depth <= kDeep;
     return std::nullopt;
-  }
-
-  // Torques of the model.
-  VecX Model(const LimbWay& way) {
-    std::vector<double> all, strengths;
-    for (const auto& limb : limbs_) {
-      limb->Solve(way);
-      found_.iterations += limb->iterations();
-      const VecX &u = limb->torques(), &strength = limb->strengths();
-      all.insert(all.end(), u.data(), u.data() + u.size());
-      strengths.insert(strengths.end(), strength.data(), strength.data() + strength.size());
-    }
-    scale_ = Eigen::Map<const VecX>(strengths.data(), static_cast<int>(strengths.size()));
-    return Eigen::Map<const VecX>(all.data(), static_cast<int>(all.size()));
   }
 
   void Put(const VecX& u) {
@@ -239,7 +223,7 @@ class TorqueSearch {
     int i = 0;
     for (const Asked& asked : rows) {
       changes.row(i++) =
-          ChangeOf(asked.frame, asked.is_rate).row(asked.hinge.value()) / asked.tolerance;
+          limbs_.ChangeOf(asked.frame, asked.is_rate).row(asked.hinge.value()) / asked.tolerance;
     }
     return changes * scale_.asDiagonal();
   }
@@ -250,7 +234,7 @@ class TorqueSearch {
     DynamicsWorkspace ws(figure_);
     for (const AimGoal* goal : goals) {
       if (!goal->is_place()) continue;
-      const MatX change = ChangeOf(goal->frame, false) * scale_.asDiagonal();
+      const MatX change = limbs_.ChangeOf(goal->frame, false) * scale_.asDiagonal();
       const MotionLimit& at = ArrivalAt(goal->frame, *motion_);
       ComputePositions(figure_, at.X_WR, at.q, &ws);
       const Vec3 p = ws.body(goal->joint).p + ws.body(goal->joint).R * goal->offset;
@@ -261,23 +245,6 @@ class TorqueSearch {
         longer.bottomRows(3) += lever * change.row(j.value());
       }
       all = std::move(longer);
-    }
-    return all;
-  }
-
-  // Changes of all hinges of the figure by all torques; limbs do not feel each other.
-  MatX ChangeOf(int frame, bool is_rate) const {
-    MatX all = MatX::Zero(figure_.num_joints(), scale_.size());
-    int at = 0;
-    for (const auto& limb : limbs_) {
-      const int count = static_cast<int>(limb->torques().size());
-      if (frame <= limb->knots().back()) {
-        const MatX change = is_rate ? limb->RateChange(frame) : limb->AngleChange(frame);
-        for (size_t k = 0; k < limb->hinges().path.size(); ++k) {
-          all.block(limb->hinges().path[k].value(), at, 1, count) = change.row(static_cast<int>(k));
-        }
-      }
-      at += count;
     }
     return all;
   }
@@ -296,25 +263,6 @@ class TorqueSearch {
       }
     }
     return rows;
-  }
-
-  // Numbers of the torques at the last few keys up to a frame, behind another one, of each hinge of
-  // the limbs that have a goal there or later.
-  std::vector<int> TorquesBefore(int frame, int behind, int keys) const {
-    std::vector<int> numbers;
-    int at = 0;
-    for (const auto& limb : limbs_) {
-      const auto& knots = limb->knots();
-      const int count =
-          static_cast<int>(std::upper_bound(knots.begin(), knots.end(), frame) - knots.begin());
-      const int end = at + static_cast<int>(limb->torques().size());
-      for (; at < end; at += static_cast<int>(knots.size())) {
-        for (int k = std::max(0, count - keys); k < count && frame <= knots.back(); ++k) {
-          if (knots[static_cast<size_t>(k)] > behind) numbers.push_back(at + k);
-        }
-      }
-    }
-    return numbers;
   }
 
   // Corrects torques of some numbers until the misses at a frame are small enough. A trial that
@@ -362,7 +310,7 @@ class TorqueSearch {
     for (const int frame : frames) {
       const bool is_goal = !GoalsAt(frame, false).empty();
       const std::vector<Asked> rows = PathAt(frame);
-      const std::vector<int> numbers = TorquesBefore(frame, met, 2);
+      const std::vector<int> numbers = limbs_.TorquesBefore(frame, met, 2);
       if (auto error = Correct(
               frame, numbers, ChangesOf(rows)(Eigen::all, numbers),
               is_goal ? kOfPathAtGoal : kOfPath, [&] { return MissesOf(rows); }, u)) {
@@ -373,7 +321,7 @@ class TorqueSearch {
         // All keys: with the goals before.
         const bool are_all = keys == std::numeric_limits<int>::max();
         const std::vector<int> last =
-            TorquesBefore(frame, are_all ? std::numeric_limits<int>::min() : met, keys);
+            limbs_.TorquesBefore(frame, are_all ? std::numeric_limits<int>::min() : met, keys);
         const auto misses = [&] { return GoalMisses(frame, are_all); };
         if (auto error = Correct(frame, last, GoalChanges(frame, are_all)(Eigen::all, last),
                                  kOfGoal, misses, u)) {
@@ -403,7 +351,7 @@ class TorqueSearch {
   const Motion* motion_ = nullptr;
   int last_ = 0;
   std::vector<AimedHinges> paths_;
-  std::vector<std::unique_ptr<AimedLimb>> limbs_;
+  AimedLimbs limbs_;
   VecX scale_;                                              // strengths
   VecX best_;                                               // torques
   double least_ = std::numeric_limits<double>::infinity();  // of how far they miss

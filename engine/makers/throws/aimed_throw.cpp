@@ -50,8 +50,8 @@ int MovedBy(const DynamicsRegion& region, GroupIndex joint, const Figure& figure
   return count;
 }
 
-// By how many frames a region that moves the arm misses a frame; more than a second: it is of
-// another throw.
+// Number of frames from a region that moves the arm to a frame; nothing: it is more than a second,
+// and the region is of another throw.
 std::optional<int> Apart(const DynamicsRegion& region, int frame, const Animation& animation) {
   const int apart = std::max({0, region.first_frame - frame, frame - region.last_frame});
   if (animation.rate.SecondsAt(apart) > 1.0) return std::nullopt;

@@ -50,7 +50,7 @@ Result<ArmSwing> SwingArm(const AimGoal& goal, const DynamicsRegion& arm,
   const int n = static_cast<int>(rows.size()), count = static_cast<int>(swing.frames.size());
   swing.angles.resize(n, count);
   swing.rates.resize(n, count);
-  // Of several minima the best one.
+  // Takes the best one of several minima.
   double least = std::numeric_limits<double>::infinity();
   for (const double smoothness : {1.0, 6.0, 36.0}) {
     limb.Solve({smoothness, kClear, 0});

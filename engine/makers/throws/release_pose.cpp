@@ -1,4 +1,4 @@
-// Of a pose q and rates q' with which the object comes down on the spot those are found for which
+// Finds the pose q and the rates q' with which the object comes down on the spot for which
 //
 //   sum over hinges  (f (q - wanted) / s)^2 + (q' / ease)^2 + (beyond(q, limits) / l)^2
 //                    + ((q - start - (q' + start') T / 2) / d)^2 + (beyond(q', fastest) / m)^2

@@ -22,7 +22,7 @@ struct ReleaseHinge {
   bool moves = true;                     // false: it stays at `wanted`
 };
 
-// What carries the arm, as it lets go.
+// Motion of what carries the arm, as it lets go.
 struct ReleaseCarrier {
   Pose pose;
   Vec3 w = Vec3::Zero(), v = Vec3::Zero();  // of its origin, world [rad/s, m/s]
@@ -46,9 +46,9 @@ struct Release {
 Release ReleaseFor(const ReleaseCarrier& carrier, const std::vector<ReleaseHinge>& hinges,
                    const ReleaseTarget& target);
 
-// By how much a path misses a spot [m]. With a height by the velocity, for as long as it flies;
-// without one in the plane of the spot, where the path comes down through it. Downwards by how much
-// the path lacks of rising 5 cm above the spot, or with a height to it.
+// Distance, as a vector, of a path from a spot [m]. With a height: the error of the velocity times
+// the time of flight. Without one: in the plane of the spot, where the path comes down through it.
+// Its z has, besides, what the path lacks of rising 5 cm above the spot, or with a height to it.
 Vec3 MissOfSpot(const ThrowPath& path, const Vec3& spot, const std::optional<double>& height,
                 double gravity);
 

@@ -6,7 +6,7 @@
 
 namespace hazumi::makers {
 
-// Of an arm that has let go, and of its hand.
+// Friction of an arm that has let go, and of its hand.
 inline constexpr double kThrowFriction = 0.85, kHandFriction = 0.15;
 
 // The part of a throw that is found.

@@ -13,7 +13,7 @@
 
 namespace hazumi::makers {
 
-// What the poses of a throw onto a spot depend on.
+// Data that the poses of a throw depend on.
 struct ThrowShape {
   BodySide side = BodySide::kRight;  // of the hand
   ThrowStyle style = ThrowStyle::kUnderarm;

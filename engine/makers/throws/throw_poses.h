@@ -126,12 +126,12 @@ using NamedThrowHinge = NamedHinge<ThrowHinge>;
 // Returns every hinge of a figure that a throw by its right or left hand keys.
 std::vector<NamedThrowHinge> HingesOfThrow(BodySide side, const Figure& figure);
 
-// What an arm does by habit as it lets go, of a hinge.
+// Habit of a hinge as the arm lets go.
 struct ReleaseHabit {
   std::optional<double> angle;  // [rad]; nothing: none
   double ease = 4.0;            // rate that counts as 1 [rad/s]
 };
-// By JointIndex. `joint`: of what has the object; of no arm: there are none.
+// Returns habits by JointIndex. `joint`: of what has the object; of no arm: there are none.
 std::vector<ReleaseHabit> HabitsOf(ThrowStyle style, JointIndex joint, const Figure& figure);
 
 // Returns the side of the hand that has an object; none if what has it is no part of an arm.

@@ -11,7 +11,7 @@
 
 namespace hazumi {
 
-// Who lets an object go in the frame of a goal of that kind; nothing: nobody does.
+// Holder that lets an object go in the frame of a goal of that kind; nothing: nobody does.
 inline std::optional<HolderSpan> ThrowerOf(const ProjectGoal& goal, const Project& project) {
   for (const ProjectHeldObject& object : project.held_objects) {
     if (object.name != goal.object) continue;

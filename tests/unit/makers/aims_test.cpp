@@ -9,15 +9,8 @@
 #include <cstdio>
 #include <random>
 
-#include "engine/bake/bake.h"
-#include "engine/collision/distance.h"
 #include "engine/dynamics/kinematics.h"
-#include "engine/project/checks/joint_names.h"
-#include "engine/project/compile.h"
-#include "engine/project/edits/curves.h"
-#include "engine/project/edits/keys.h"
-#include "engine/project/project_reader.h"
-#include "engine/spatial/degrees.h"
+#include "tests/unit/makers/aim_scene.h"
 
 namespace hazumi::test {
 namespace {
@@ -25,79 +18,9 @@ namespace {
 using makers::AimReport;
 using makers::MadeAim;
 
-// An example with a region of its own.
-struct Scene {
-  Project project;
-  Animation animation;
-  int last = 0;
-
-  Scene(const char* file, int first, int end, const char* joints) : last(end) {
-    project = LoadProject(std::string(HAZUMI_SOURCE_DIR "/assets/examples/") + file).value();
-    ProjectRegion region;
-    region.name = "aimed";
-    region.first_frame = first;
-    region.last_frame = end;
-    region.joints = {{joints, true, {}}};
-    region.friction.default_factor = 0.8;
-    project.regions = {region};
-    animation = CompileAnimation(project).value().animation;
-  }
-  const Figure& figure() const { return *animation.figure; }
-  const std::vector<JointIndex>& hinges() const { return animation.regions[0].joints; }
-
-  // A goal that these hinges have these angles [degrees] as the region ends.
-  Project WithPose(const std::vector<double>& angles, bool rests = false) const {
-    Project aimed = project;
-    ProjectGoal goal;
-    goal.name = "meet";
-    goal.frame = last;
-    goal.rests = rests;
-    for (size_t i = 0; i < hinges().size(); ++i) {
-      const std::string& name = figure().joint(hinges()[i]).name;
-      ProjectKey key;
-      key.frame = last;
-      key.value = angles[i];
-      PutKey(key, CurveNamed(name, figure(), &aimed).value());
-      goal.joints.push_back({name, false, {}});
-    }
-    aimed.goals = {goal};
-    return aimed;
-  }
-  Project WithPoint(const char* joint, const Vec3& offset, const Vec3& position) const {
-    Project aimed = project;
-    ProjectGoal goal;
-    goal.name = "touch";
-    goal.kind = GoalKind::kPoint;
-    goal.frame = last;
-    goal.joint = joint;
-    goal.offset_m = offset;
-    goal.position_m = position;
-    aimed.goals = {goal};
-    return aimed;
-  }
-
-  // Angles within the limits [degrees].
-  std::vector<double> RandomPose(std::mt19937* random) const {
-    std::uniform_real_distribution<double> share(0.0, 1.0);
-    std::vector<double> angles;
-    for (const JointIndex j : hinges()) {
-      const Joint& joint = figure().joint(j);
-      angles.push_back((joint.lower + share(*random) * (joint.upper - joint.lower)) / kDegree);
-    }
-    return angles;
-  }
-};
-
-Motion MotionOf(const Project& project) {
-  return Bake(CompileAnimation(project).value().animation).value();
-}
-const MotionFrame& At(int frame, const Motion& motion) {
-  return motion.frames[static_cast<size_t>(frame - motion.frames[0].frame)];
-}
-
 // Aims at random poses; how many are met within a tenth of a degree, in a bake of the whole
 // project.
-int PosesMet(const Scene& scene, unsigned seed, int count) {
+int PosesMet(const AimScene& scene, unsigned seed, int count) {
   std::mt19937 random(seed);
   std::vector<double> times;  // of an aim, its proof included [ms]
   int met = 0;
@@ -129,16 +52,16 @@ int PosesMet(const Scene& scene, unsigned seed, int count) {
 }
 
 TEST(Aim, ARightArmThatIsThrownMeetsFortyRandomPoses) {
-  EXPECT_EQ(PosesMet(Scene("throw.kfa", 5, 15, "r_shoulder"), 1, 40), 40);
+  EXPECT_EQ(PosesMet(AimScene("throw.kfa", 5, 15, "r_shoulder"), 1, 40), 40);
 }
 TEST(Aim, ALeftArmMeetsTwentyRandomPoses) {
-  EXPECT_EQ(PosesMet(Scene("throw.kfa", 5, 15, "l_shoulder"), 2, 20), 20);
+  EXPECT_EQ(PosesMet(AimScene("throw.kfa", 5, 15, "l_shoulder"), 2, 20), 20);
 }
 TEST(Aim, ALegInFlightMeetsTwentyRandomPoses) {
-  EXPECT_EQ(PosesMet(Scene("jump.kfa", 8, 16, "l_hip"), 3, 20), 20);
+  EXPECT_EQ(PosesMet(AimScene("jump.kfa", 8, 16, "l_hip"), 3, 20), 20);
 }
 TEST(Aim, ANeckMeetsTwentyRandomPoses) {
-  EXPECT_EQ(PosesMet(Scene("throw.kfa", 5, 15, "neck"), 4, 20), 20);
+  EXPECT_EQ(PosesMet(AimScene("throw.kfa", 5, 15, "neck"), 4, 20), 20);
 }
 
 // Poses in which passive swings end need nothing.
@@ -146,7 +69,7 @@ TEST(Aim, GivesNoMuscleToWhatASwingMeets) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> friction(0.5, 1.0), rate(-400.0, 400.0);
   for (int i = 0; i < 20; ++i) {
-    Scene scene("throw.kfa", 5, 15, "r_shoulder");
+    AimScene scene("throw.kfa", 5, 15, "r_shoulder");
     scene.project.regions[0].friction.default_factor = friction(random);
     for (const char* hinge : {"r_shoulder_flexion", "r_elbow_flexion"}) {
       ProjectCurve* const curve = CurveNamed(hinge, scene.figure(), &scene.project).value();
@@ -168,7 +91,7 @@ TEST(Aim, GivesNoMuscleToWhatASwingMeets) {
 }
 
 TEST(Aim, APalmReachesTwentyPoints) {
-  const Scene scene("throw.kfa", 5, 15, "r_shoulder");
+  const AimScene scene("throw.kfa", 5, 15, "r_shoulder");
   const Motion swing = MotionOf(scene.project);
   std::mt19937 random(6);
   const JointIndex wrist = *scene.figure().FindJoint("r_wrist_deviation");
@@ -196,99 +119,8 @@ TEST(Aim, APalmReachesTwentyPoints) {
   }
 }
 
-// Largest depth of the links beyond a joint in a box, in a state of the figure [m].
-double DepthIn(const Box& box, const char* joint, const Figure& figure, const Pose& X_WR,
-               const VecX& q) {
-  DynamicsWorkspace ws(figure);
-  ComputePositions(figure, X_WR, q, &ws);
-  const JointIndex first = figure.group(*figure.FindGroup(joint)).first;
-  double depth = -1.0;
-  for (const Link& link : figure.links()) {
-    if (!link.joint.is_valid() || !figure.IsBeyond(link.joint, first)) continue;
-    const BodyScratch& body = ws.body(link.joint);
-    const Capsule now = {body.p + body.R * link.capsule.a, body.p + body.R * link.capsule.b,
-                         link.capsule.radius};
-    depth = std::max(depth, -SignedDistance(now, box).value);
-  }
-  return depth;
-}
-
-// Points behind a box that stands where the arm goes without it.
-TEST(Aim, APalmReachesPointsBehindABox) {
-  constexpr int kPoints = 10;
-  constexpr double kFree = 0.03;  // around the box as it begins and ends [m]
-  const Scene scene("throw.kfa", 5, 15, "r_shoulder");
-  const Figure& figure = scene.figure();
-  const Motion swing = MotionOf(scene.project);
-  std::mt19937 random(7);
-  const JointIndex wrist = *figure.FindJoint("r_wrist_deviation");
-  const Vec3 palm(0.0, 0.0, -0.09);
-  DynamicsWorkspace ws(figure);
-  const auto palm_in = [&](const MotionFrame& frame, const VecX& q) {
-    ComputePositions(figure, frame.X_WR, q, &ws);
-    return Vec3(ws.body(wrist).p + ws.body(wrist).R * palm);
-  };
-  int points = 0, tries = 0;
-  std::vector<double> times;
-  while (points < kPoints && ++tries < 500) {
-    const std::vector<double> angles = scene.RandomPose(&random);
-    MotionFrame frame = At(15, swing);
-    for (size_t k = 0; k < angles.size(); ++k) {
-      frame.q[scene.hinges()[k].value()] = angles[k] * kDegree;
-    }
-    const Vec3 place = palm_in(frame, frame.q);
-    Project project = scene.WithPoint("r_wrist", palm, place);
-    const Result<MadeAim> free = makers::MakeAim("touch", project, nullptr);
-    if (!free.ok()) continue;
-    const Motion motion = MotionOf(free.value().project);
-    const MotionFrame &start = At(5, motion), &middle = At(11, motion), &end = At(15, motion);
-    const Box box = {{Mat3::Identity(), palm_in(middle, middle.before.q)}, Vec3(0.07, 0.07, 0.07)};
-    if (DepthIn(box, "r_shoulder", figure, start.X_WR, start.after.q) > -kFree ||
-        DepthIn(box, "r_shoulder", figure, end.X_WR, end.before.q) > -kFree) {
-      continue;
-    }
-    // Nor where the trunk carries the shoulder.
-    bool is_free = true;
-    for (int f = 5; f <= 15; ++f) {
-      ComputePositions(figure, At(f, motion).X_WR, At(f, motion).q, &ws);
-      const Vec3 shoulder = ws.body(scene.hinges().front()).p;
-      is_free &= SignedDistance(Capsule{shoulder, shoulder, 0.1}, box).value > kFree;
-    }
-    if (!is_free) continue;
-    ++points;
-    ProjectBox shape;
-    shape.center_m = box.X_WB.p;
-    shape.size_m = 2.0 * box.half_size;
-    ProjectSceneObject object;
-    object.name = "box";
-    object.shape = shape;
-    project.scene.objects.push_back(object);
-    const auto before = std::chrono::steady_clock::now();
-    const Result<MadeAim> made = makers::MakeAim("touch", project, nullptr);
-    times.push_back(
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - before)
-            .count());
-    ASSERT_TRUE(made.ok()) << made.error().ToString();
-    const Motion round = MotionOf(made.value().project);
-    double deep = -1.0;
-    for (int f = 5; f <= 15; ++f) {
-      const MotionFrame& at = At(f, round);
-      deep = std::max(
-          deep, DepthIn(box, "r_shoulder", figure, at.X_WR, f > 5 ? at.before.q : at.after.q));
-    }
-    const MotionFrame& there = At(15, round);
-    const double off = (palm_in(there, there.before.q) - place).norm();
-    EXPECT_LE(off, 0.005) << points;
-    EXPECT_LE(deep, 5e-4) << points;
-  }
-  EXPECT_EQ(points, kPoints);
-  std::sort(times.begin(), times.end());
-  std::printf("%zu aims behind a box: median %.1f ms, longest %.1f ms\n", times.size(),
-              times[times.size() / 2], times.back());
-}
-
 TEST(Aim, AnArmComesToRest) {
-  const Scene scene("throw.kfa", 5, 15, "r_shoulder");
+  const AimScene scene("throw.kfa", 5, 15, "r_shoulder");
   const std::vector<double> angles = {40.0, -10.0, 20.0, 60.0, 0.0, 0.0, 0.0};
   const Result<MadeAim> made = makers::MakeAim("meet", scene.WithPose(angles, true), nullptr);
   ASSERT_TRUE(made.ok()) << made.error().ToString();
@@ -302,7 +134,7 @@ TEST(Aim, AnArmComesToRest) {
 
 // Finds torques of an aim anew, and leaves drives of the animator.
 TEST(Aim, FindsItsTorquesAnewAndLeavesOthers) {
-  const Scene scene("throw.kfa", 5, 15, "r_shoulder");
+  const AimScene scene("throw.kfa", 5, 15, "r_shoulder");
   Project project = scene.WithPose({40.0, -10.0, 20.0, 60.0, 0.0, 0.0, 0.0});
   ProjectDrive spring;
   spring.joints = {{"r_wrist", false, {}}};
@@ -323,7 +155,7 @@ TEST(Aim, FindsItsTorquesAnewAndLeavesOthers) {
 
 // Two goals, one on the way to the other.
 TEST(Aim, MeetsAPointOnTheWayToAPose) {
-  const Scene scene("throw.kfa", 5, 15, "r_shoulder");
+  const AimScene scene("throw.kfa", 5, 15, "r_shoulder");
   Project project = scene.WithPose({40.0, -10.0, 20.0, 60.0, 0.0, 0.0, 0.0});
   const Motion swing = MotionOf(scene.project);
   DynamicsWorkspace ws(scene.figure());
@@ -345,7 +177,7 @@ TEST(Aim, MeetsAPointOnTheWayToAPose) {
 
 // Pose goals of two frames, each to a tenth of a degree.
 TEST(Aim, MeetsOnePoseAfterTheOther) {
-  const Scene scene("throw.kfa", 5, 15, "r_shoulder");
+  const AimScene scene("throw.kfa", 5, 15, "r_shoulder");
   Project project = scene.WithPose({40.0, -10.0, 20.0, 60.0, 0.0, 0.0, 0.0});
   ProjectGoal early = project.goals[0];
   early.name = "early";
@@ -368,7 +200,7 @@ TEST(Aim, MeetsOnePoseAfterTheOther) {
 
 // Two arms of one region, with goals in different frames.
 TEST(Aim, MovesTwoArmsToGoalsOfTheirOwn) {
-  Scene scene("throw.kfa", 5, 15, "r_shoulder");
+  AimScene scene("throw.kfa", 5, 15, "r_shoulder");
   scene.project.regions[0].joints.push_back({"l_shoulder", true, {}});
   Project project = scene.WithPose({40.0, -10.0, 20.0, 60.0, 0.0, 0.0, 0.0});
   const Motion swing = MotionOf(scene.project);
@@ -390,7 +222,7 @@ TEST(Aim, MovesTwoArmsToGoalsOfTheirOwn) {
 // Lengths from one frame to twenty.
 TEST(Aim, AimsRegionsOfAnyLength) {
   for (const int last : {6, 7, 8, 25}) {
-    Scene scene("throw.kfa", 5, last, "r_shoulder");
+    AimScene scene("throw.kfa", 5, last, "r_shoulder");
     const Motion swing = MotionOf(scene.project);
     std::vector<double> angles;
     for (const JointIndex j : scene.hinges()) {
@@ -405,7 +237,7 @@ TEST(Aim, AimsRegionsOfAnyLength) {
 }
 
 TEST(Aim, PushesNoMoreBehindItsLastGoal) {
-  const Scene scene("throw.kfa", 5, 15, "r_shoulder");
+  const AimScene scene("throw.kfa", 5, 15, "r_shoulder");
   Project project = scene.WithPose({40.0, -10.0, 20.0, 60.0, 0.0, 0.0, 0.0});
   project.regions[0].last_frame = 20;
   const Result<MadeAim> made = makers::MakeAim("meet", project, nullptr);
@@ -418,7 +250,7 @@ TEST(Aim, PushesNoMoreBehindItsLastGoal) {
 
 // Joints with other drives keep these, and nothing is asked of them.
 TEST(Aim, AsksOnlyLimpJoints) {
-  const Scene scene("throw.kfa", 5, 15, "r_shoulder");
+  const AimScene scene("throw.kfa", 5, 15, "r_shoulder");
   Project project = scene.WithPose({40.0, -10.0, 20.0, 60.0, 0.0, 0.0, 0.0});
   ProjectDrive spring, empty;
   spring.joints = {{"r_wrist", false, {}}};
@@ -437,7 +269,7 @@ std::string WhyNot(const std::string& goal, const Project& project) {
 
 // 120 points beyond the arm's reach, 80 poses beyond limits.
 TEST(Aim, SaysOfTwoHundredGoalsThatTheyCannotBeMet) {
-  const Scene scene("throw.kfa", 5, 15, "r_shoulder");
+  const AimScene scene("throw.kfa", 5, 15, "r_shoulder");
   const Figure& figure = scene.figure();
   const MotionFrame end = At(15, MotionOf(scene.project));
   DynamicsWorkspace ws(figure);
@@ -477,7 +309,7 @@ TEST(Aim, SaysOfTwoHundredGoalsThatTheyCannotBeMet) {
 }
 
 TEST(Aim, SaysWhatCannotBeMet) {
-  const Scene scene("throw.kfa", 5, 15, "r_shoulder");
+  const AimScene scene("throw.kfa", 5, 15, "r_shoulder");
   EXPECT_EQ(WhyNot("meet", scene.WithPose({40.0, -10.0, 20.0, 160.0, 0.0, 0.0, 0.0})),
             "goal: \"meet\" asks r_elbow_flexion to be 10° beyond its limit: change its key in "
             "frame 15");
