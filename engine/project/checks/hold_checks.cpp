@@ -14,7 +14,7 @@ namespace {
 
 using Joints = std::vector<JointIndex>;
 
-bool Contains(const Joints& joints, JointIndex j) {
+bool IsAmong(const Joints& joints, JointIndex j) {
   return std::find(joints.begin(), joints.end(), j) != joints.end();
 }
 
@@ -185,8 +185,8 @@ class HoldChecker {
     const Joints& carries = ChainTo(pin.joint);
     const Span both = Common(SpanOf(hold), pin.span);
     return std::any_of(carries.begin(), carries.end(), [&](JointIndex j) {
-      return Contains(of_hold_[i]->solved, j) ||
-             (driven_.joint(j).Overlaps(both) && Contains(of_hold_[i]->needed, j));
+      return IsAmong(of_hold_[i]->solved, j) ||
+             (driven_.joint(j).Overlaps(both) && IsAmong(of_hold_[i]->needed, j));
     });
   }
 
