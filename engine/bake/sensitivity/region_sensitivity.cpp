@@ -48,9 +48,8 @@ std::optional<std::string> FindUncovered(const Animation& animation, const Dynam
     }
   }
   for (const OuterForce& force : animation.forces) {
-    if (force.kind() == ForceKind::kPush &&
-        OverlapsRegion(region, force.first_frame, force.last_frame)) {
-      return "the push " + force.name + " acts meanwhile; take it off";
+    if (OverlapsRegion(region, force.first_frame, force.last_frame)) {
+      return "the force " + force.name + " acts meanwhile; take it off";
     }
   }
   for (const IkHold& hold : animation.holds) {

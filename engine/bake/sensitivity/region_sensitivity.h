@@ -44,9 +44,9 @@ struct RegionSensitivityOptions {
 
 // Derivatives of the motion of an exact region, by index of Animation::regions, at frames after its
 // first one, ascending, up to its last one. [METHOD 3.7] Fails (ErrorCode::kSemantics) where they
-// do not exist or are not covered: placements by gravity, contacts, constraints, pushes, pins that
-// stop a moving root, holds of limbs that the region carries, hinges that are outside their limits,
-// other regions whose joints feel this one's.
+// do not exist or are not covered: placements by gravity, contacts, constraints, forces from
+// outside, pins that stop a moving root, holds of limbs that the region carries, hinges that are
+// outside their limits, other regions whose joints feel this one's.
 Result<RegionSensitivity> DeriveRegion(const Animation& animation, int region,
                                        const std::vector<int>& frames,
                                        const RegionSensitivityOptions& options = {});
