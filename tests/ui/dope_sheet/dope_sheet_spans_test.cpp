@@ -103,7 +103,7 @@ TEST_F(DopeSheetSpans, TheHintSaysWhyADragIsRefused) {
 
 TEST_F(DopeSheetSpans, TheHintSaysWhyThereIsNoMotionAnyMore) {
   const Point end = EndOf(HoldOf("r_hip"));
-  user.Pull(end, {end.x + X(3) - X(0), end.y});
+  user.Pull(end, {end.x + X(5) - X(0), end.y});
   EXPECT_FALSE(user.session().WholeMotion().ok());  // as the picture asks for it
   user.Pass(0.0);
   const std::string hint = user.editor().tool_hint();

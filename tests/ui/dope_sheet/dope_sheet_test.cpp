@@ -67,10 +67,10 @@ TEST_F(DopeSheet, DuplicatesAndDeletes) {
   user.Click(Key("limb r_hip", 15));
   const std::set<double> before = FramesOf("r_knee");
   user.Press('D', ui::kLeftShift);
-  user.Press('3');
+  user.Press('2');
   user.Press(ui::kEnter);
   std::set<double> expected = before;
-  expected.insert(18);
+  expected.insert(17);
   EXPECT_EQ(FramesOf("r_knee"), expected);
   user.Press('X');  // the copies are selected
   EXPECT_EQ(FramesOf("r_knee"), before);
@@ -83,7 +83,7 @@ TEST_F(DopeSheet, ABoxSelectsWhatIsInIt) {
   EXPECT_TRUE(Contains(keys, "r_knee", 15));
   EXPECT_FALSE(Contains(keys, "l_knee", 15));
   for (const auto& [curve, frames] : keys) EXPECT_EQ(frames, std::set<double>{15}) << curve;
-  user.Click({X(27), key.y});
+  user.Click({X(20), key.y});
   EXPECT_TRUE(user.session().selected_keys().empty());
 }
 

@@ -67,6 +67,10 @@ TEST_F(Graph, CurvesRunThroughTheirKeysAndTheBakedMotion) {
 
 TEST_F(Graph, TurnsOfTheRootAddUp) {
   user.session().set_selected_joints({});
+  for (const int frame : {9, 22, 27}) {
+    user.editor().Do("keys.select", {{"curves", {"root.angle_z"}}, {"frames", {frame}}});
+    user.editor().Do("keys.delete");
+  }
   for (const auto& [frame, angle] : {std::pair(0, 0.0), {15, 200.0}, {30, 400.0}}) {
     user.editor().Do("key.set", {{"curve", "root.angle_z"},
                                  {"frame", frame},
