@@ -129,7 +129,7 @@ class CommandLine(InFolder):
 
     def test_check_and_info_report_the_same_problems(self):
         info = json.loads(run("--info", "--json", THROW).stdout)["problems"]
-        self.assertIn("Frame 27: ball goes into floor.", info)
+        self.assertIn("Frame 28: ball goes into floor.", info)
         self.assertEqual(json.loads(run("--check", "--json", THROW).stdout)["problems"], info)
         told = run("--check", THROW)
         self.assertEqual(told.stdout, f"{THROW}: ok\n")

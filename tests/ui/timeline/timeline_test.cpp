@@ -42,11 +42,11 @@ TEST(Timeline, ButtonsGoToEndsAndKeys) {
   user.Click(Middle(l.to_last));
   EXPECT_EQ(user.session().frame(), 30.0);
   user.Click(Middle(l.previous_key));
-  EXPECT_EQ(user.session().frame(), 15.0);
+  EXPECT_EQ(user.session().frame(), 27.0);
   user.Click(Middle(l.to_first));
   EXPECT_EQ(user.session().frame(), 0.0);
   user.Click(Middle(l.next_key));
-  EXPECT_EQ(user.session().frame(), 5.0);
+  EXPECT_EQ(user.session().frame(), 3.0);
 }
 
 TEST(Timeline, PlaysAndStops) {

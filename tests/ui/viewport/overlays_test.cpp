@@ -42,7 +42,7 @@ TEST(Ghosts, AreChosenByTheirMenuAndSeen) {
   user.editor().Do("view.ghosts", {{"before", 5}, {"after", 3}, {"every", 1}});
   EXPECT_EQ(SkinsSeen(&user), 9u);
   user.editor().Do("view.ghosts", {{"at_keys", true}});
-  EXPECT_EQ(SkinsSeen(&user), 2u);  // F5
+  EXPECT_EQ(SkinsSeen(&user), 5u);  // F5, F7, F9, F12
   user.editor().Do("view.overlay", {{"name", "ghosts"}});
   EXPECT_EQ(SkinsSeen(&user), 1u);
   user.editor().Do("view.overlay", {{"name", "keyed"}});
