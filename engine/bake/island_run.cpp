@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 #include <utility>
 
 #include "engine/bake/island_curves.h"
@@ -11,10 +12,6 @@ namespace hazumi {
 
 namespace {
 
-// Laws slow motion down by e to the power of this in a step at most: beyond it the estimate of a
-// step's error is no estimate.
-constexpr double kMostDecay = 2.0;
-
 using Clock = std::chrono::steady_clock;
 
 double MicrosecondsSince(Clock::time_point start) {
@@ -23,14 +20,21 @@ double MicrosecondsSince(Clock::time_point start) {
 
 }  // namespace
 
+double LongestStep(const RegionDynamics& dynamics) {
+  // Laws slow motion down by e to the power of this in a step at most: beyond it the estimate of a
+  // step's error is no estimate.
+  constexpr double kMostDecay = 2.0;
+  const double rate = dynamics.FastestRate();
+  return rate > 0.0 ? kMostDecay / rate : std::numeric_limits<double>::infinity();
+}
+
 IslandRun::IslandRun(const IslandTask& task, MovingBaseCache* moving_bases)
     : gravity_(task.gravity),
       moving_bases_(moving_bases),
       dynamics_(WithOwnCurves(task.model), MakeLaws(task.forces), task.gravity, task.constraints,
                 task.contacts),
-      solver_(&dynamics_, task.lower, task.upper) {
-  if (const double rate = dynamics_.FastestRate(); rate > 0.0) longest_step_ = kMostDecay / rate;
-}
+      solver_(&dynamics_, task.lower, task.upper),
+      longest_step_(LongestStep(dynamics_)) {}
 
 IslandResult IslandRun::Do(const IslandRequest& request, const std::atomic<bool>* cancel) {
   cancel_ = cancel;

@@ -8,6 +8,9 @@
 
 namespace hazumi {
 
+// Returns the longest step with which an island is solved [s]; infinity: any.
+double LongestStep(const RegionDynamics& dynamics);
+
 // An island at work: it does one request after the other, the same ones always in the same way.
 class IslandRun {
  public:
@@ -44,7 +47,7 @@ class IslandRun {
   RegionDynamics dynamics_;
   ExactSolver solver_;
   // Largest step that the force laws allow [s].
-  double longest_step_ = std::numeric_limits<double>::infinity();
+  double longest_step_;
   HingeState sample_;
 };
 

@@ -75,7 +75,7 @@ Animation Changed(Animation animation, const Direction& direction, double h) {
   return animation;
 }
 
-// Whether keys say in which state a hinge begins, and nothing else: springs read them, too.
+// Returns whether keys say in which state a hinge begins, and nothing else: springs read them, too.
 bool IsFreeToChange(Coordinate hinge, const Animation& animation) {
   if (hinge >= animation.figure->num_joints()) return false;
   for (const Drive& drive : animation.regions[0].drives) {
@@ -91,7 +91,7 @@ struct End {
   std::vector<std::pair<std::string, long>> hits;
 };
 
-// Of the last frame; none if the bake fails.
+// State of the last frame; none if the bake fails.
 std::optional<End> EndOf(const Animation& animation, const std::vector<Coordinate>& hinges) {
   BakeOptions options;
   options.refine = false;

@@ -10,7 +10,9 @@
 #include <utility>
 
 #include "engine/bake/island_curves.h"
+#include "engine/bake/island_run.h"
 #include "engine/bake/sensitivity/island_history.h"
+#include "engine/base/assert.h"
 #include "engine/base/text.h"
 
 namespace hazumi {
@@ -21,7 +23,7 @@ bool OverlapsRegion(const DynamicsRegion& region, int first, int last) {
   return first < region.last_frame && region.first_frame < last;
 }
 
-// Whether a hold solves joints that the region moves or carries.
+// Returns whether a hold solves joints that the region moves or carries.
 bool IsCarried(const IkHold& hold, const DynamicsRegion& region, const Figure& figure) {
   for (const GroupIndex group : SolvedJoints(hold, figure)) {
     for (JointIndex j = figure.group(group).first; j.is_valid(); j = figure.joint(j).parent) {
@@ -31,7 +33,8 @@ bool IsCarried(const IkHold& hold, const DynamicsRegion& region, const Figure& f
   return !hold.joint.is_valid();
 }
 
-// What makes the derivatives of a region's motion unknown, as part of a sentence; none: nothing.
+// Returns why the derivatives of a region's motion are unknown, as part of a sentence; nothing if
+// they are known.
 std::optional<std::string> FindUncovered(const Animation& animation, const DynamicsRegion& region) {
   if (region.method != Method::kExact) return "its method is paper; give it the method exact";
   if (region.moves_nothing()) return "it moves no joint";
@@ -78,15 +81,6 @@ std::string CauseOf(SensitivityFailure::Cause cause) {
   return "";
 }
 
-// Laws slow motion down by e to the power of this in a step at most, as where a bake solves it.
-constexpr double kMostDecayPerStep = 2.0;
-
-double LongestStep(const RegionDynamics& dynamics, const DrivenMotion& curves) {
-  double longest = std::numeric_limits<double>::infinity();
-  if (const double rate = dynamics.FastestRate(); rate > 0.0) longest = kMostDecayPerStep / rate;
-  return curves.may_be_cut() ? std::min(longest, DrivenMotion::kLongestCut) : longest;
-}
-
 // The joint `hinge`, for messages.
 std::string NameOfHinge(Coordinate hinge, const Figure& figure) {
   if (hinge >= figure.num_joints()) return "the root";
@@ -112,11 +106,14 @@ class RegionDerivation {
     result_.one_sided_from.assign(2 * result_.hinges.size(),
                                   std::numeric_limits<double>::infinity());
     has_begun_.assign(result_.hinges.size(), 0);
-    for (const int frame : frames) result_.frames.push_back({frame, q_, qd_, MatX(2 * n, 2 * n)});
+    const MatX unknown = MatX::Constant(2 * n, 2 * n, std::numeric_limits<double>::quiet_NaN());
+    for (const int frame : frames) result_.frames.push_back({frame, q_, qd_, unknown});
   }
 
   std::optional<Error> Solve(const IslandHistory& history);
+  // After the last island: each frame is in one of each hinge.
   RegionSensitivity Take() {
+    for (const auto& at : result_.frames) HAZUMI_DEMAND(!at.D.hasNaN());
     std::stable_sort(result_.events.begin(), result_.events.end(),
                      [](const auto& a, const auto& b) { return a.time < b.time; });
     return std::move(result_);
@@ -139,7 +136,7 @@ class RegionDerivation {
   int index_;
   SensitivitySolver::Tolerance tolerance_;
   RegionSensitivity result_;
-  // Where islands have got to, by result_.hinges.
+  // State that islands have reached, and its derivatives, by result_.hinges.
   VecX q_, qd_;
   MatX D_;
   std::vector<char> has_begun_;
@@ -205,7 +202,9 @@ std::optional<Error> RegionDerivation::Solve(const IslandHistory& history) {
   for (const IslandHistory::Piece& piece : history.pieces) {
     const bool is_first = &piece == &history.pieces.front();
     dynamics.SetDriven(piece.curves.get(), piece.start, piece.end);
-    solver.SetLongestStep(LongestStep(dynamics, *piece.curves));
+    const double longest = LongestStep(dynamics);
+    solver.SetLongestStep(piece.curves->may_be_cut() ? std::min(longest, DrivenMotion::kLongestCut)
+                                                     : longest);
     if (is_first) {
       if (auto failure = solver.Start(piece.start, piece.end, start.value(), D)) {
         return ErrorAt(failure->time, CauseOf(failure->cause));
@@ -234,7 +233,7 @@ std::optional<Error> RegionDerivation::Solve(const IslandHistory& history) {
   return std::nullopt;
 }
 
-// Up to its end, with what is asked for at the frames on the way.
+// Advances to its end, and stores what is asked for at the frames on the way.
 std::optional<Error> RegionDerivation::SolvePiece(const IslandHistory& history,
                                                   const IslandHistory::Piece& piece,
                                                   SensitivitySolver* solver) {

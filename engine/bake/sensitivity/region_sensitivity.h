@@ -32,8 +32,8 @@ struct RegionSensitivity {
     double rate = 0.0;  // kHit: with which the limit was hit [rad/s]
   };
   std::vector<Event> events;  // in order of time
-  // By column of D: from when on the derivative is that of one side, as several limits were hit at
-  // once, or a hinge began at its limit; infinity: never [s].
+  // Times, by column of D, from which on the derivative is that of one side: several limits were
+  // hit at once, or a hinge began at its limit; infinity: never [s].
   std::vector<double> one_sided_from;
 };
 

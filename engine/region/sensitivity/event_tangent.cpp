@@ -103,7 +103,7 @@ std::optional<EventJump> EventTangent::Find(double t, double start, double end,
   return none;
 }
 
-// Of the velocities by dof: at a pole rates of hinges do not tell what moves.
+// Compares velocities by dof: at a pole rates of hinges do not tell what moves.
 bool EventTangent::RatesJump(const Instant& before, const AfterEvent& after, double most) const {
   const RegionLayout& layout = after.layout;
   if (layout.num_dofs() == 0) return false;
@@ -140,7 +140,7 @@ MatX EventTangent::ImpactDerivatives(const Instant& at) {
   return D;
 }
 
-// By time alone.
+// Derivative by time alone.
 VecX EventTangent::ImpactChange(const Instant& at, double start, double end) {
   const double from = std::max(start, at.t - kInstantOfEvent),
                to = std::min(end, at.t + kInstantOfEvent);
@@ -248,7 +248,7 @@ EventJump EventTangent::OfRelease(const Instant& at, double start, double end,
     ++released;
     if (jump.hinge < 0) jump.hinge = i;
   }
-  // What moves before the event, by what moves after it.
+  // Map from what moves after the event to what moves before it.
   const MatX to_dofs = DofsFromHinges(after.layout, at.q, at.qd);
   jump.S = to_dofs;
   VecX flow(2 * n);

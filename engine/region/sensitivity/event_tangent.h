@@ -23,7 +23,7 @@ struct AfterEvent {
 
 enum class LimitEvent { kNone, kHit, kRelease };
 
-// What an event at limits does to small changes of the state.
+// Effect of an event at limits on small changes of the state.
 struct EventJump {
   LimitEvent kind = LimitEvent::kNone;
   int hinge = -1;     // free hinge that hits a limit or is let go, the first of several
@@ -44,9 +44,10 @@ class EventTangent {
   // `dynamics` must outlive it. Limits by free hinge [rad].
   EventTangent(RegionDynamics* dynamics, VecX lower, VecX upper);
 
-  // Of the event at t, in curves that are smooth from `start` to `end` [s]. `at_fixed_time`: curves
-  // change there, or the motion begins. None if the event is none of those that are known: the
-  // motion after it is not what an impact on the limits that it ends at would give.
+  // Finds the jump of the event at t, in curves that are smooth from `start` to `end` [s].
+  // `at_fixed_time`: curves change there, or the motion begins. None if the event is none of those
+  // that are known: the motion after it is not what an impact on the limits that it ends at would
+  // give.
   std::optional<EventJump> Find(double t, double start, double end, const BeforeEvent& before,
                                 const AfterEvent& after, bool at_fixed_time);
 
@@ -80,7 +81,7 @@ class EventTangent {
   std::vector<char> sticks_;       // where stopped_ is not 0
 };
 
-// By free hinge: whether the layout has locked it.
+// Returns, by free hinge, whether the layout has locked it.
 std::vector<char> LockedHinges(const RegionLayout& layout);
 
 }  // namespace hazumi

@@ -120,7 +120,7 @@ AfterEvent SensitivitySolver::BeginningOfStep() {
   return after;
 }
 
-// Whether limits hold other hinges, or rates jump.
+// Returns whether limits hold other hinges, or rates jump.
 bool SensitivitySolver::HasChanged(const AfterEvent& after) const {
   constexpr double kJump = 1e-11;  // relative
   if (LockedHinges(after.layout) != LockedHinges(before_.layout)) return true;

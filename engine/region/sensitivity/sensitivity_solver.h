@@ -43,7 +43,7 @@ class SensitivitySolver {
   SensitivitySolver(RegionDynamics* dynamics, const VecX& lower, const VecX& upper,
                     const Tolerance& tolerance);
 
-  // As ExactSolver [s].
+  // Sets the longest step, as of ExactSolver [s].
   void SetLongestStep(double seconds) { solver_.SetLongestStep(seconds); }
   // Begins at t, moved by curves that are smooth up to `end`. D: derivatives of the state before
   // the event that may happen there, 2 n x any number: of the angles of n free hinges, then their
@@ -61,8 +61,8 @@ class SensitivitySolver {
   std::optional<MatX> Derivatives() const;
 
   const std::vector<SensitivityEvent>& events() const { return events_; }
-  // By column of D: from when on the derivative is that of one side, as several limits were hit at
-  // once, or a hinge began at its limit; infinity: never [s].
+  // Times, by column of D, from which on the derivative is that of one side: several limits were
+  // hit at once, or a hinge began at its limit; infinity: never [s].
   const std::vector<double>& one_sided_from() const { return one_sided_from_; }
 
  private:

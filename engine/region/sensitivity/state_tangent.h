@@ -8,9 +8,8 @@ namespace hazumi {
 
 // Small changes of the state of n free hinges, in two sets of coordinates:
 // - by hinge, 2 n: of angles [rad], then of rates [rad/s];
-// - by dof of a layout, 2 m: small turns [rad], then changes of velocities [rad/s]. A turn of a
-// ball
-//   joint is in the body's frame, R exp(turn), as RegionLayout::Turn has it. Locked hinges have
+// - by dof of a layout, 2 m: small turns [rad], then changes of velocities [rad/s]. Turns of ball
+//   joints are in the body's frame, R exp(turn), as RegionLayout::Turn has it. Locked hinges have
 //   none.
 // Both matrices are of the state (q, qd), by free hinge.
 

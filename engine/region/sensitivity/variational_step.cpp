@@ -58,9 +58,9 @@ bool VariationalStep::Advance(double a, double b, ExactSolver* solver, MatX* X) 
   return AdvanceInParts(a, b, 0, solver, X);
 }
 
-// Where forces have a kink the solver ends a step, as exactly as a step that went over it tells.
-// What that is off by lies on the wrong side. And steps miss a kink that is passed and passed back,
-// which shows where looks and the parabolas through three of them change sign.
+// Finds the first kink of the forces. The solver ends a step at a kink, as exactly as a step that
+// went over it tells; the rest lies on the wrong side. Steps also miss a kink that is passed and
+// passed back: it shows where looks, and the parabolas through three of them, change sign.
 std::optional<double> VariationalStep::FirstKink(double a, double b, ExactSolver* solver) {
   constexpr int kLooks = 8;
   const auto place = [&](int look) { return look == kLooks ? b : a + (b - a) * look / kLooks; };
@@ -147,7 +147,7 @@ bool VariationalStep::Fit(double a, double b, ExactSolver* solver) {
   return std::max(contribution(fit_[5]), 0.1 * contribution(fit_[4])) <= kMostLastCoefficient;
 }
 
-// At the state y_.
+// Evaluates at the state y_.
 void VariationalStep::LinearizeAt(double t, MatX* D) {
   const int m = dynamics_->layout().num_dofs();
   D->resize(m, 2 * m + 1);
@@ -158,7 +158,7 @@ void VariationalStep::LinearizeAt(double t, MatX* D) {
   for (int j = 0; j < 2 * m; ++j) D->col(j) = DifferenceAt(t, j);
 }
 
-// By turns, then by velocities. Next to a kink of a force only its own side tells:
+// Derivatives by turns, then by velocities. Next to a kink of a force only its own side tells:
 //   f' = (-3 f(0) + 4 f(h) - f(2 h)) / (2 h).
 VecX VariationalStep::DifferenceAt(double t, int column) {
   const bool is_turn = column < dynamics_->layout().num_dofs();
@@ -173,8 +173,8 @@ VecX VariationalStep::DifferenceAt(double t, int column) {
   return (4.0 * near - 3.0 * here_ - AccelerationsAt(t, column, 2.0 * own)) / (2.0 * own);
 }
 
-// By dof, at sample_ [rad]. Of a ball joint a small part of the way to its pole: about it torques
-// of single hinges turn with the middle axis, and at it they jump.
+// Steps by dof, at sample_ [rad]. Of a ball joint a small part of the way to its pole: about it
+// torques of single hinges turn with the middle axis, and at it they jump.
 VecX VariationalStep::TurnSteps() const {
   constexpr double kPartOfWay = 0.02, kLeastTurn = 1e-9;
   const RegionLayout& layout = dynamics_->layout();
@@ -189,7 +189,8 @@ VecX VariationalStep::TurnSteps() const {
   return steps;
 }
 
-// Of the state y_ with one turn or velocity changed. Sets kinks_ where forces have any.
+// Accelerations of the state y_ with one turn or velocity changed. Sets kinks_ where forces have
+// any.
 VecX VariationalStep::AccelerationsAt(double t, int column, double change) {
   const RegionLayout& layout = dynamics_->layout();
   const int m = layout.num_dofs(), positions = layout.num_positions();
